@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "myoface/base/progress.h"
+#include "myoface/face/landmarks.h"
+#include "myoface/io/image.h"
+#include "myoface/io/mesh_file.h"
+#include "myoface/sim/simulator.h"
+
+namespace myoface {
+
+/// A face as it was opened: from a scan file, from a case, or generated.
+struct OpenedFace {
+    std::shared_ptr<const Scan> scan;
+    MeshReadReport report;
+    std::shared_ptr<const Image> texture;
+    std::optional<Landmarks> landmarks;      ///< our frame
+    std::map<std::string, double> rates;     ///< muscle name -> contraction, from a case
+    std::map<std::string, double> strengths;
+    Points shape;                            ///< what a case had reshaped: 3×skin nodes, or 3×0
+    std::string name;                        ///< for the window's title
+    std::string scan_name;                   ///< file name of the scan
+    std::string scan_bytes;                  ///< the scan's file, byte for byte
+    std::string texture_bytes;
+};
+
+struct OpenOptions {
+    std::optional<std::filesystem::path> landmarks;
+    std::optional<double> mm_per_unit;
+    std::optional<Mat3> axes;
+};
+
+/// Opens OBJ, PLY, a .myoface case, or the word "generic". Without given landmarks a file
+/// STEM.landmarks.json beside the scan, or in ../landmarks, is used when it is there. Unit and axes
+/// follow the landmarks where they are not given.
+/// @throws IoError, InvalidInput
+OpenedFace open_face(const std::string& path, const OpenOptions& options = {},
+                     const Progress* progress = nullptr);
+
+/// Fits the opened face and puts a case's settings and shape back.
+/// @throws InvalidInput when there are no landmarks or the fit fails
+std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened,
+                                          const SimulatorOptions& options = {},
+                                          const Progress* progress = nullptr);
+
+/// Writes a case: a zip with manifest.json (schema 1), the scan byte for byte, its texture and the
+/// shape of the skin. The file appears whole or not at all. @throws IoError
+void write_case(const std::filesystem::path& file, const OpenedFace& opened,
+                const Simulator* simulator);
+
+}  // namespace myoface

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "myoface/face/face_model.h"
+
+namespace myoface {
+
+/// The grabbed point: skin nodes and weights that sum to 1.
+struct Grip {
+    std::vector<int> nodes;
+    std::vector<double> weights;
+};
+Grip grip_at(const FaceModel& face, const SurfacePoint& where);
+Vec3 grip_position(const Grip& grip, const Points& positions);
+
+/// A stress spread over the skin: nodes and weights that sum to 1.
+struct StressKernel {
+    std::vector<int> nodes;
+    std::vector<double> weights;
+    std::vector<double> profile;  ///< 1 at the grip … 0 at the rim, without areas
+    double radius = 0.0;  ///< [mm] along equal labels
+};
+
+/// Grip radius that suits a region and the depth to the bone [mm].
+double kernel_radius(const FaceModel& face, const Grip& grip);
+
+/// w_j = (1 − g²/R²)² A_j, normalised; g is the distance along the surface in which a link between
+/// equal labels counts its length and a link to another label counts more, so that a stress goes
+/// first along the same muscle. Nodes that do not move take no part.
+/// @param other_label how much longer a link to another label counts
+StressKernel stress_kernel(const FaceModel& face, const Points& skin, const Grip& grip,
+                           double radius, double other_label = 1.8);
+
+}  // namespace myoface

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "myoface/base/points.h"
+
+namespace myoface {
+
+/// Aesthetic unit of a skin node.
+enum class Region {
+    Forehead, Glabella, Brow, Lids, Temple, Nose, Cheek, UpperLip, LowerLip, Chin, Jaw, Ear, Neck,
+    Scalp
+};
+std::string region_name(Region region);
+
+/// Kind of tissue of a mass point or link.
+enum class Tissue { Skin, Mucosa, Cartilage, Muscle, Bone, Other };
+
+/// What a mass point or a link is: the paper's label. For skin, `muscle` is the muscle under it.
+struct TissueLabel {
+    Tissue tissue = Tissue::Skin;
+    int muscle = -1;  ///< index into FaceModel::muscles, -1 none
+
+    bool operator==(const TissueLabel&) const = default;
+};
+
+/// What the tissue is like under one skin node.
+struct TissueProperties {
+    Region region = Region::Cheek;
+    Tissue tissue = Tissue::Skin;
+    double depth = 10.0;         ///< skin to bone (lids: to the eyeball) [mm]
+    double skin_share = 1.0;     ///< of the skin's E·h: thin on lids and lips
+    double bone_tie = 1.0;       ///< the paper's mass: how firmly the skin is held sideways
+    double strain_limit = 0.25;  ///< stretch at which the skin's capacity is used up
+    bool fixed = false;          ///< far behind or below the face: does not move
+};
+
+/// Tissue at a place of the average head. @param p generic coordinates [mm]
+/// @param faces_inward the node's normal opposes the smoothed face (nostrils, inner lips)
+TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward);
+
+/// Above the line where the lips meet? 1 upper, 0 lower, smooth over `softness` mm; 0.5 sideways of
+/// the mouth corners means that both lips' muscles act.
+double upper_lip_share(const Vec3& p, double softness);
+
+/// Soft-tissue depth [mm] at places of the average head, from the table of sites in assets/.
+/// @throws IoError when the program's own table is damaged
+Eigen::VectorXd tissue_depths(const Points& generic);
+
+}  // namespace myoface

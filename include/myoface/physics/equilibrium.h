@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "myoface/physics/mass_spring_model.h"
+
+namespace myoface {
+
+/// A weighted group of nodes held by a hand: Σ weight_j x_j moves only freely along `free`.
+struct Handle {
+    std::vector<int> nodes;
+    std::vector<double> weights;           ///< sum to 1
+    Eigen::Matrix<double, 3, 2> plane;     ///< the two held directions, orthonormal
+    Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< wanted planeᵀ Σ weight_j x_j [mm]
+};
+
+/// A hand that pulls with a bounded force, through `pull` nodes, at a point given by `grip` nodes.
+struct HandPull {
+    std::vector<int> grip_nodes;
+    std::vector<double> grip_weights;      ///< sum to 1: the grabbed point
+    std::vector<int> nodes;
+    std::vector<double> weights;           ///< sum to 1: the stress kernel
+    Eigen::Matrix<double, 3, 2> plane;
+    Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< the mouse in the plane [mm]
+    double stiffness = 1000.0;             ///< of the hand [mN/mm]
+    double largest = 6000.0;               ///< bound of the force [mN]
+    double skin_share = 1.0;               ///< λ: part that pulls at the skin
+    double layer_share = 0.0;              ///< μ: part that pulls at the muscle layer
+    std::vector<int> layer_nodes;
+    std::vector<double> layer_weights;
+    std::optional<Eigen::Vector2d> force;  ///< given instead of following the mouse [mN]
+};
+
+struct RelaxOptions {
+    int iterations = 3000;
+    double still_mm = 4e-6;   ///< a step below this is at rest [mm]
+};
+
+struct RelaxReport {
+    int iterations = 0;
+    double residual = 0.0;    ///< rms out-of-balance force per node [mN]
+    double last_step = 0.0;   ///< largest motion in the last iteration [mm]
+    bool converged = false;
+    bool finite = true;       ///< false: the state was not finite and was put back
+};
+
+/// Equilibrium by dynamic relaxation: Euler steps with masses scaled to each node's stiffness and
+/// with damping fitted to the slowest motion still alive. Keeps its momentum between calls, so that
+/// a drag can spread its work over frames. Deterministic, independent of the number of threads.
+/// @cite underwood_1983
+class EquilibriumSolver {
+public:
+    explicit EquilibriumSolver(const MassSpringModel& model);
+
+    /// Relaxes `state` (its velocities are not used) under the drive, and under handles or pulls.
+    RelaxReport relax(MassSpringState& state, const Drive& drive, const RelaxOptions& options,
+                      std::span<const Handle> handles = {}, std::span<const HandPull> pulls = {});
+
+    /// Forgets momentum: after a jump of the state or another model of the same size.
+    void restart();
+
+    /// Force of each handle, or else of each pull, in the last iteration [mN].
+    const std::vector<Vec3>& hand_forces() const { return hand_forces_; }
+
+private:
+    void scale_masses(const MassSpringState& state, const Drive& drive,
+                      std::span<const HandPull> pulls);
+    double advance(const MassSpringState& state, const Drive& drive,
+                   std::span<const HandPull> pulls, bool layer);
+    double apply_pull(const Points& x, const HandPull& pull, bool layer);
+    void hold(const Handle& handle);
+    Eigen::Vector2d pull_force(const Points& x, const HandPull& pull) const;
+
+    const MassSpringModel& model_;
+    Points velocity_, next_, force_, last_force_;
+    Points layer_velocity_, layer_next_, layer_force_, layer_last_force_;
+    Eigen::VectorXd mass_, layer_mass_;
+    double damping_ = 0.1;
+    double residual_ = 0.0;
+    bool warm_ = false;
+    std::vector<Vec3> hand_forces_;
+};
+
+}  // namespace myoface

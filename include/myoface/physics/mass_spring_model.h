@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "myoface/face/tissue.h"
+
+namespace myoface {
+
+/// Spring and damper in parallel between two mass points.
+struct Spring {
+    int a = 0, b = 0;
+    double stiffness = 0.0;   ///< k [kg/s² = N/m = mN/mm]
+    double length = 0.0;      ///< natural length L [mm]
+    double damping = 0.0;     ///< D [kg/s]
+    double stiffening = 0.0;  ///< J: adds k L² J max(|ε| − 0.2, 0)³/3 to the energy
+    TissueLabel label;
+};
+
+/// A spring as one of its ends sees it, packed for gathering.
+struct SpringEnd {
+    int other = 0;
+    int spring = 0;
+    double stiffness = 0.0, length = 0.0, stiffening = 0.0;
+};
+
+/// A point's tie to what lies under it. With δ = x − rest:
+/// thickness ½ k_n (n·δ + ½ δᵀQδ − height)² and tether ½ k_t |(I − nnᵀ)(δ − shift − layer)|²,
+/// plus an isotropic anchor ½ k_i |δ|². It slides along the bone: no depth force sideways.
+struct Tie {
+    Vec3 normal = Vec3::UnitZ();
+    Mat3 curvature = Mat3::Zero();   ///< [1/mm]
+    double thickness = 0.0;          ///< k_n [mN/mm]
+    double tether = 0.0;             ///< k_t [mN/mm]
+    double anchor = 0.0;             ///< k_i [mN/mm]
+    double damping = 0.0;            ///< towards the bone [kg/s]
+};
+
+/// Two points that must not pass each other: ½ k min(0, n·(x_a − x_b) − gap)².
+struct Contact {
+    int a = 0, b = 0;
+    Vec3 normal = Vec3::UnitY();     ///< from b to a
+    double stiffness = 0.0;          ///< [mN/mm]
+    double gap = 0.0;                ///< at most 0: how far they overlap at rest [mm]
+};
+
+/// Symmetric scalar matrix in compressed rows that acts alike on the three components of the
+/// displacement: hinge bending and muscle attachments. Zero at rest, linear.
+struct LinearStiffness {
+    std::vector<int> start{0}, column;
+    std::vector<double> value;       ///< [mN/mm]
+};
+
+/// The muscle layer under the skin, of which constraint priority makes use: one displacement y per
+/// skin node, ½ k_t |y|² to the bone and ½ k |y_i − y_j|² along the skin's edges.
+struct MuscleLayer {
+    LinearStiffness links;
+};
+
+/// Masses and springs of one face. Built once; never changes while it runs. Nodes: the skin's, then
+/// those of the muscles' chains. Units: mm, kg, s; force is then mN.
+struct MassSpringModel {
+    Points rest;                      ///< 3×N, where no force acts
+    Eigen::VectorXd mass;             ///< [kg]: density × volume × tie to the bone
+    std::vector<char> fixed;          ///< bone ends and what lies far from the face
+    std::vector<TissueLabel> label;   ///< per node
+    std::vector<Spring> springs;
+    std::vector<Tie> ties;            ///< per node
+    std::vector<Contact> contacts;
+    LinearStiffness linear;
+    MuscleLayer layer;
+    Vec3 rest_gravity = Vec3::Zero(); ///< gravity under which `rest` was scanned [mm/s²]
+    int skin_nodes = 0;
+
+    // Rows for gathering, filled by index_rows().
+    std::vector<int> spring_start;
+    std::vector<SpringEnd> spring_ends;
+    std::vector<int> contact_of;      ///< per node, -1 none
+
+    int node_count() const { return static_cast<int>(rest.cols()); }
+};
+
+/// Fills the rows that gathering needs. Call after nodes or springs were set.
+void index_rows(MassSpringModel& model);
+
+/// Checks sizes, ranges, signs and finiteness. @throws InvalidInput naming the first fault
+void validate(const MassSpringModel& model);
+
+/// What changes while the model runs.
+struct MassSpringState {
+    Points positions;   ///< 3×N [mm]
+    Points velocities;  ///< 3×N [mm/s]
+    Points layer;       ///< 3×skin nodes displacement of the muscle layer [mm], or 3×0: at rest
+};
+MassSpringState rest_state(const MassSpringModel& model);
+
+/// Inputs of a step: contraction and gravity act through these, the model stays.
+struct Drive {
+    Points shift;                     ///< 3×N tether target [mm], or 3×0
+    Eigen::VectorXd height;           ///< N thickness target [mm], or 0
+    Eigen::VectorXd tether_boost;     ///< N factor on k_t, or 0
+    std::vector<double> length_factor;///< per spring factor on L, or empty
+    Points load;                      ///< 3×N outer force [mN], or 3×0
+    Points layer_load;                ///< 3×skin outer force on the muscle layer, or 3×0
+    Vec3 gravity = Vec3::Zero();      ///< [mm/s²]
+};
+
+}  // namespace myoface

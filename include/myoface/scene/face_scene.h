@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "myoface/scene/scene_builder.h"
+#include "myoface/sim/snapshot.h"
+
+namespace myoface {
+
+/// Opacity of each layer, 0 … 1.
+struct LayerOpacity {
+    float skin = 1.0F, muscles = 0.0F, bone = 0.0F, springs = 0.0F;
+};
+
+/// The picture of one face: skin, muscles as fibre bundles, bone, spring network. Works for a scan
+/// that has not been fitted too (skin only).
+class FaceScene {
+public:
+    FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const Image> texture);
+
+    /// Adds muscles, bone and springs.
+    void set_face(std::shared_ptr<const FaceModel> face, const std::vector<Spring>& springs,
+                  const std::vector<MuscleChain>& chains);
+    /// Moves everything to a moment of the simulation.
+    void show(const SimSnapshot& snapshot);
+    void set_layers(const LayerOpacity& layers);
+    /// Paints the skin with values 0 … 1 per scan vertex by colour_map(); empty: its own look.
+    void paint(const std::vector<double>& values);
+
+    const SceneData& scene() const { return scene_; }
+    SceneData& scene() { return scene_; }
+
+private:
+    void show_muscles(const Points& nodes);
+    void show_springs(const Points& nodes);
+
+    std::shared_ptr<const Scan> scan_;
+    std::shared_ptr<const Image> texture_;
+    std::shared_ptr<const FaceModel> face_;
+    std::vector<Spring> springs_;
+    std::vector<MuscleChain> chains_;
+    SkinDrawing drawing_;
+    FloatPoints own_colours_;
+    Points last_nodes_;
+    SceneData scene_;
+};
+
+}  // namespace myoface

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "myoface/base/points.h"
+#include "myoface/io/image.h"
+
+namespace myoface {
+
+using FloatPoints = Eigen::Matrix3Xf;
+
+/// A shaded surface. Colours are sRGB in 0 … 1.
+struct SurfaceLayer {
+    FloatPoints positions;          ///< 3×N [mm]
+    FloatPoints normals;            ///< 3×N unit
+    FloatPoints colours;            ///< 3×N, or 3×0 for `plain_colour`
+    Eigen::VectorXf cavity;         ///< N, 0 open … 1 deep in a fold; or empty
+    Eigen::Matrix2Xf uv;            ///< 2×N with `texture`, else 2×0
+    std::shared_ptr<const Image> texture;
+    Eigen::Vector3f plain_colour{0.80F, 0.62F, 0.53F};
+    std::vector<std::uint32_t> indices;
+    float opacity = 1.0F;           ///< 0 hides the layer
+    float gloss = 0.35F;            ///< strength of the highlight
+    float softness = 1.0F;          ///< light under the skin: 1 skin, 0 plaster
+};
+
+/// Coloured line segments.
+struct LineLayer {
+    FloatPoints positions;
+    FloatPoints colours;
+    std::vector<std::uint32_t> indices;  ///< pairs
+    float opacity = 0.0F;
+};
+
+/// A small disc that always faces the viewer.
+struct Marker {
+    Eigen::Vector3f position;
+    Eigen::Vector3f colour;
+    float radius_px = 5.0F;
+};
+
+/// Everything that is to be seen, without a GPU. A renderer uploads a layer's fixed part again only
+/// when `topology` changes, its positions and normals when `motion` changes.
+struct SceneData {
+    SurfaceLayer skin, muscles, bone;
+    LineLayer springs;
+    LineLayer strokes;  ///< drawn over everything: drag arrows, grip ring
+    std::vector<Marker> markers;
+    Eigen::Vector3f background_top{0.215F, 0.235F, 0.265F};
+    Eigen::Vector3f background_bottom{0.085F, 0.095F, 0.11F};
+    Vec3 centre = Vec3::Zero();
+    double radius = 200.0;  ///< of everything visible around the centre [mm]
+    std::uint64_t topology = 0;
+    std::uint64_t motion = 0;
+};
+
+}  // namespace myoface

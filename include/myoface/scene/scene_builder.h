@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "myoface/io/scan.h"
+#include "myoface/mesh/adjacency.h"
+#include "myoface/scene/scene.h"
+
+namespace myoface {
+
+/// How a scan's vertices reach the screen: a vertex on a texture seam is drawn more than once, and
+/// vertices at the same place share one normal.
+class SkinDrawing {
+public:
+    SkinDrawing() = default;
+    explicit SkinDrawing(const Scan& scan);
+
+    /// Fills indices, colours, UV, positions, normals and folds of a layer.
+    void fill(SurfaceLayer& layer, const Scan& scan) const;
+    /// Moves a layer to new vertex positions (3×N of the scan, mm).
+    void move(SurfaceLayer& layer, const Points& vertices) const;
+    int scan_vertex(int drawn) const { return source_[static_cast<std::size_t>(drawn)]; }
+    int drawn_count() const { return static_cast<int>(source_.size()); }
+
+private:
+    void normals(SurfaceLayer& layer, const Points& vertices) const;
+
+    std::vector<int> source_;           ///< drawn vertex -> scan vertex
+    std::vector<int> source_uv_;        ///< drawn vertex -> UV, -1
+    std::vector<std::uint32_t> indices_;
+    std::vector<int> welded_;           ///< scan vertex -> welded vertex, -1 unused
+    TriangleMesh welded_mesh_;          ///< its positions are scratch
+    std::vector<int> first_;            ///< welded vertex -> a scan vertex
+    std::shared_ptr<const Adjacency> adjacency_;
+};
+
+/// 0 on open skin … 1 deep in folds, for soft shadows: from the smoothed mean curvature.
+Eigen::VectorXf fold_depth(const TriangleMesh& mesh, const Adjacency& adjacency);
+
+}  // namespace myoface

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "myoface/drag/drag.h"
+#include "myoface/muscle/contraction.h"
+
+namespace myoface {
+
+enum class SolverKind { Equilibrium, SymplecticEuler, ExplicitEuler };
+std::string solver_name(SolverKind kind);
+
+struct SimulatorOptions {
+    SolverKind solver = SolverKind::Equilibrium;
+    ResponseForm response = ResponseForm::Smooth;
+    TissueConstants tissue;
+};
+
+/// What a step did. Unwelcome outcomes are fields, not exceptions.
+struct StepReport {
+    std::string solver;
+    int iterations = 0;
+    double residual = 0.0;         ///< rms out-of-balance force per node [mN]
+    bool converged = false;
+    bool finite = true;            ///< false: the step was undone
+    double milliseconds = 0.0;
+    double max_displacement_mm = 0.0;
+    double max_strain = 0.0;       ///< of the skin's links, where a limit is known
+    std::optional<DragReport> drag;
+};
+
+/// One face in motion, headless. Not thread-safe: one thread owns it.
+class Simulator {
+public:
+    explicit Simulator(std::shared_ptr<const FaceModel> face, const SimulatorOptions& options = {});
+    ~Simulator();
+    Simulator(const Simulator&) = delete;
+    Simulator& operator=(const Simulator&) = delete;
+
+    const FaceModel& face() const { return *face_; }
+    const FaceMassSpring& system() const { return *system_; }
+    const MassSpringState& state() const { return state_; }
+
+    /// @param rate −0.5 … 1. @throws InvalidInput when out of range or not finite
+    void set_contraction(int muscle, double rate);
+    /// @param strength 0 … 1. @throws InvalidInput
+    void set_strength(int muscle, double strength);
+    const Contractions& contractions() const { return contractions_; }
+
+    /// The skin as it rests: the scan plus what was shaped, 3×skin nodes [mm].
+    const Points& skin_rest() const { return skin_rest_; }
+    /// Reshapes the resting skin (undo, redo, a case). Ends a drag. @throws InvalidInput
+    void set_skin_rest(const Points& skin_rest);
+
+    /// Starts a gesture. @throws InvalidInput when the point does not move
+    void begin_drag(const DragRequest& request, const ViewRay& ray);
+    void move_drag(const ViewRay& ray);
+    /// Ends it: in mouse priority the shape stays when `keep` is set; constraint priority springs
+    /// back. @return the report of the gesture
+    DragReport end_drag(bool keep);
+    bool dragging() const { return drag_ != nullptr; }
+    /// The stress kernel of the hand, while dragging.
+    const StressKernel* drag_kernel() const;
+
+    /// A bounded piece of work towards rest, for one frame.
+    StepReport step(int iterations);
+    /// Until at rest.
+    StepReport settle();
+
+    /// 3×N of the scan [mm]: exactly the scan where nothing moved.
+    Points scan_vertices() const;
+    /// FNV-1a over the bits of all node positions.
+    std::uint64_t state_hash() const;
+
+private:
+    void rebuild();
+    void refresh_drive();
+    StepReport integrate(bool to_rest, int steps);
+    void fill_motion(StepReport& report) const;
+
+    std::shared_ptr<const FaceModel> face_;
+    SimulatorOptions options_;
+    Points skin_rest_;
+    std::unique_ptr<FaceMassSpring> system_;
+    std::unique_ptr<EquilibriumSolver> solver_;
+    std::vector<MuscleResponse> responses_;
+    Contractions contractions_;
+    Drive drive_;
+    MassSpringState state_;
+    std::unique_ptr<SkinDrag> drag_;
+    Points before_drag_;
+    double time_step_ = 0.0;
+};
+
+/// Gravity on a patient who sits upright [mm/s²]; scans are taken so.
+inline const Vec3 kUprightGravity{0.0, -9810.0, 0.0};
+
+}  // namespace myoface

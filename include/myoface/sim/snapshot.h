@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "myoface/sim/simulator.h"
+
+namespace myoface {
+
+/// What a viewer needs of one moment of the simulation.
+struct SimSnapshot {
+    Points positions;             ///< 3×nodes [mm]
+    std::vector<double> rates;    ///< contraction per muscle
+    StepReport report;
+    bool dragging = false;
+    std::uint64_t frame = 0;
+};
+
+/// Positions of the scan's vertices for given node positions: exactly the scan where nothing moved.
+Points scan_positions(const FaceModel& face, const Points& node_positions);
+
+/// A box with one place between two threads: the newest snapshot wins, so that a slow viewer never
+/// makes a queue.
+class SnapshotBox {
+public:
+    void put(std::shared_ptr<const SimSnapshot> snapshot) {
+        const std::lock_guard lock(mutex_);
+        newest_ = std::move(snapshot);
+    }
+    /// The newest one not yet taken, or null.
+    std::shared_ptr<const SimSnapshot> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(newest_, nullptr);
+    }
+
+private:
+    std::mutex mutex_;
+    std::shared_ptr<const SimSnapshot> newest_;
+};
+
+}  // namespace myoface

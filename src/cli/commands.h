@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace myoface::cli {
+
+/// Each adds one subcommand with its options and what it does.
+void add_info(CLI::App& app);
+void add_generate(CLI::App& app);
+void add_fit(CLI::App& app);
+void add_simulate(CLI::App& app);
+void add_render(CLI::App& app);
+void add_convert(CLI::App& app);
+
+}  // namespace myoface::cli

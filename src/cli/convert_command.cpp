@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "commands.h"
+#include "myoface/io/mesh_file.h"
+
+namespace myoface::cli {
+namespace {
+
+struct Arguments {
+    std::string input, output;
+};
+
+}  // namespace
+
+void add_convert(CLI::App& app) {
+    auto* command = app.add_subcommand("convert", "Write a mesh in another format");
+    auto a = std::make_shared<Arguments>();
+    command->add_option("IN", a->input, "OBJ or PLY file")->required();
+    command->add_option("OUT", a->output, "name that ends in .obj or .ply")->required();
+    command->callback([a] {
+        Scan scan = read_mesh(a->input);
+        write_mesh(a->output, scan, scan.mesh.vertices);
+    });
+}
+
+}  // namespace myoface::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "face_arguments.h"
+
+#include "myoface/io/text_file.h"
+
+namespace myoface::cli {
+
+void FaceArguments::add_to(CLI::App& command) {
+    command.add_option("FACE", face, "OBJ, PLY or .myoface file, or the word generic")->required();
+    command.add_option("--landmarks", landmarks, "landmark file (JSON) in the scan's unit and axes");
+    command.add_option("--unit", unit, "unit of the scan: m dm cm mm in, or millimetres per unit");
+    command.add_option("--axes", axes,
+                       "where the scan's x, y and z point, +x left +y up +z front: such as +x-z+y");
+}
+
+OpenedFace FaceArguments::open() const {
+    OpenOptions options;
+    if (!landmarks.empty()) {
+        options.landmarks = landmarks;
+    }
+    if (!unit.empty()) {
+        options.mm_per_unit = millimetres_per_unit(unit);
+    }
+    if (!axes.empty()) {
+        options.axes = axes_from_text(axes);
+    }
+    return open_face(face, options);
+}
+
+void EditArguments::add_to(CLI::App& command) {
+    command.add_option("--muscle", muscles, "NAME=c, contraction from -0.5 to 1; repeatable")
+        ->allow_extra_args(false);
+    command.add_option("--strength", strengths, "NAME=s, strength from 0 to 1; repeatable")
+        ->allow_extra_args(false);
+    command
+        .add_option("--drag", drags,
+                    "\"at=prn; view=left; move=RIGHT,UP; mode=mouse|constraint; radius=MM; "
+                    "mirror=0|1\"; repeatable")
+        ->allow_extra_args(false);
+    command.add_option("--plan", plan, "edits from a JSON file, before all others");
+}
+
+Plan EditArguments::edits() const {
+    Plan result;
+    if (!plan.empty()) {
+        result = plan_from_json(read_file(plan), plan);
+    }
+    for (const std::string& text : strengths) {
+        const auto [name, value] = parse_setting(text);
+        muscles_named(name);
+        result.emplace_back(StrengthEdit{name, value});
+    }
+    for (const std::string& text : muscles) {
+        const auto [name, value] = parse_setting(text);
+        muscles_named(name);
+        result.emplace_back(ContractionEdit{name, value});
+    }
+    for (const std::string& text : drags) {
+        result.emplace_back(parse_drag(text));
+    }
+    return result;
+}
+
+}  // namespace myoface::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "myoface/cases/case_file.h"
+#include "myoface/sim/plan.h"
+
+namespace myoface::cli {
+
+/// FACE with --landmarks, --unit and --axes, as several commands take it.
+struct FaceArguments {
+    std::string face, landmarks, unit, axes;
+
+    void add_to(CLI::App& command);
+    /// Opens the face. @throws Error
+    OpenedFace open() const;
+};
+
+/// --muscle, --strength, --drag, --plan, in the order: plan, muscles, strengths, drags.
+struct EditArguments {
+    std::vector<std::string> muscles, strengths, drags;
+    std::string plan;
+
+    void add_to(CLI::App& command);
+    /// @throws Error
+    Plan edits() const;
+};
+
+}  // namespace myoface::cli

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <sstream>
+
+#include "commands.h"
+#include "face_arguments.h"
+#include "myoface/base/error.h"
+#include "myoface/mesh/bvh.h"
+#include "myoface/scene/face_scene.h"
+#include "picture.h"
+
+namespace myoface::cli {
+namespace {
+
+struct Arguments {
+    FaceArguments face;
+    EditArguments edits;
+    std::string view = "front", layers = "skin", heatmap, size = "1200x1200", output;
+    double heatmap_max = 0.0;
+    bool whole = false;
+};
+
+LayerOpacity parse_layers(const std::string& text) {
+    LayerOpacity layers{0.0F, 0.0F, 0.0F, 0.0F};
+    std::istringstream words(text);
+    int count = 0;
+    for (std::string word; std::getline(words, word, ','); ++count) {
+        if (word == "skin") {
+            layers.skin = 1.0F;
+        } else if (word == "muscle" || word == "muscles") {
+            layers.muscles = 1.0F;
+        } else if (word == "bone") {
+            layers.bone = 1.0F;
+        } else if (word == "springs") {
+            layers.springs = 0.8F;
+        } else {
+            throw InvalidInput("There is no layer '" + word +
+                               "': use skin, muscle, bone, springs, with commas between.");
+        }
+    }
+    if (layers.skin > 0.0F && (layers.muscles > 0.0F || layers.bone > 0.0F)) {
+        layers.skin = 0.4F;
+    }
+    return layers;
+}
+
+/// Distance of every vertex from the other face [mm]: vertex by vertex when they have the same
+/// number, else to the nearest point of its surface.
+std::vector<double> distances(const Points& here, const std::string& other_file,
+                              const FileFrame& frame) {
+    ReadOptions options{frame.mm_per_unit, frame.axes};
+    const Scan other = read_mesh(other_file, options);
+    std::vector<double> result(static_cast<std::size_t>(here.cols()));
+    const bool same = other.mesh.vertices.cols() == here.cols();
+    const Bvh bvh(other.mesh);
+    for (Eigen::Index v = 0; v < here.cols(); ++v) {
+        result[static_cast<std::size_t>(v)] =
+            same ? (here.col(v) - other.mesh.vertices.col(v)).norm()
+                 : bvh.closest_point(other.mesh, here.col(v)).distance;
+    }
+    return result;
+}
+
+void frame_face(Camera& camera, const OpenedFace& opened, bool whole, double aspect) {
+    const Points& v = opened.scan->mesh.vertices;
+    const Vec3 centre = 0.5 * (v.rowwise().maxCoeff() + v.rowwise().minCoeff());
+    const double radius = 0.5 * (v.rowwise().maxCoeff() - v.rowwise().minCoeff()).norm();
+    if (whole || !opened.landmarks) {
+        frame(camera, centre, 0.85 * radius, aspect);
+        return;
+    }
+    // The head: from the hairline to under the chin, ears in.
+    const Landmarks& l = *opened.landmarks;
+    const auto nose = l.count("prn") != 0 ? l.at("prn").position : l.at("sn").position;
+    frame(camera, nose + Vec3(0.0, 8.0, -75.0), 128.0, aspect);
+}
+
+void render(const Arguments& a) {
+    int width = 0;
+    int height = 0;
+    char extra = 0;
+    if (std::sscanf(a.size.c_str(), "%dx%d%c", &width, &height, &extra) != 2 || width < 16 ||
+        height < 16 || width > 8192 || height > 8192) {
+        throw InvalidInput("The size '" + a.size + "' is not WIDTHxHEIGHT of 16 to 8192 pixels.");
+    }
+    const LayerOpacity layers = parse_layers(a.layers);
+    const Plan plan = a.edits.edits();
+    Camera camera;
+    camera.orientation = standard_view(a.view);
+    const OpenedFace opened = a.face.open();
+    FaceScene scene(opened.scan, opened.texture);
+    Points shown = opened.scan->mesh.vertices;
+    const bool inner = layers.muscles > 0.0F || layers.bone > 0.0F || layers.springs > 0.0F;
+    if (inner || !plan.empty() || !opened.rates.empty() || opened.shape.cols() > 0) {
+        const auto simulator = make_simulator(opened);
+        run_plan(*simulator, plan);
+        scene.set_face(std::make_shared<const FaceModel>(simulator->face()),
+                       simulator->system().model.springs, simulator->system().chains);
+        scene.set_layers(layers);
+        SimSnapshot snapshot;
+        snapshot.positions = simulator->state().positions;
+        scene.show(snapshot);
+        shown = simulator->scan_vertices();
+    }
+    if (!a.heatmap.empty()) {
+        std::vector<double> values = distances(shown, a.heatmap, opened.scan->frame);
+        const double largest = *std::max_element(values.begin(), values.end());
+        const double most = a.heatmap_max > 0.0 ? a.heatmap_max : std::max(largest, 1e-9);
+        for (double& value : values) {
+            value /= most;
+        }
+        scene.paint(values);
+        std::fprintf(stderr, "Heat map: dark blue 0 mm to yellow %.2f mm.\n", most);
+    }
+    frame_face(camera, opened, a.whole, static_cast<double>(width) / height);
+    write_png(a.output, draw_picture(scene.scene(), camera, width, height));
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+    auto* command = app.add_subcommand("render", "Draw a picture of a face");
+    auto a = std::make_shared<Arguments>();
+    a->face.add_to(*command);
+    a->edits.add_to(*command);
+    command->add_option("--view", a->view,
+                        "front left right three-quarter-left three-quarter-right below above back");
+    command->add_option("--layers", a->layers, "of skin,muscle,bone,springs");
+    command->add_option("--heatmap", a->heatmap, "colour by distance from this other face");
+    command->add_option("--heatmap-max", a->heatmap_max, "distance of the last colour [mm]");
+    command->add_option("--size", a->size, "WIDTHxHEIGHT");
+    command->add_flag("--whole", a->whole, "show the whole scan, not the head only");
+    command->add_option("-o", a->output, "PNG file")->required();
+    command->callback([a] { render(*a); });
+}
+
+}  // namespace myoface::cli

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "face_arguments.h"
+#include "myoface/base/parallel.h"
+#include "output.h"
+
+namespace myoface::cli {
+namespace {
+
+struct Arguments {
+    FaceArguments face;
+    EditArguments edits;
+    std::string solver = "equilibrium";
+    std::string output, report;
+    int threads = 0;
+};
+
+nlohmann::ordered_json drag_json(const FaceModel& face, const DragReport& drag) {
+    // Back from the welded node to a vertex of the file.
+    int vertex = -1;
+    for (std::size_t v = 0; v < face.skin.of_vertex.size() && vertex < 0; ++v) {
+        if (face.skin.of_vertex[v] == drag.node) {
+            vertex = static_cast<int>(v);
+        }
+    }
+    const auto list = [](const Vec3& p) {
+        return nlohmann::ordered_json::array({p.x(), p.y(), p.z()});
+    };
+    nlohmann::ordered_json json;
+    json["mode"] = drag.mode == DragMode::MousePriority ? "mouse" : "constraint";
+    json["vertex"] = vertex;
+    json["target"] = list(face.scan->frame.to_file(drag.target));
+    json["reached"] = list(face.scan->frame.to_file(drag.reached));
+    json["off_ray_mm"] = drag.off_ray_mm;
+    json["view_force_residual"] = drag.view_force_residual;
+    json["force_mN"] = drag.force_mN;
+    json["stage_skin_mN"] = drag.stage_skin_mN;
+    json["stage_muscle_mN"] = drag.stage_muscle_mN;
+    json["refused_mN"] = drag.refused_mN;
+    json["strain_share_of_limit"] = drag.strain_share;
+    return json;
+}
+
+std::string report_json(const Simulator& simulator, const PlanReport& plan) {
+    const FaceModel& face = simulator.face();
+    nlohmann::ordered_json json;
+    json["note"] = "A planning and communication aid, not a medical device.";
+    json["vertices"] = face.scan->mesh.vertex_count();
+    json["nodes"] = simulator.system().model.node_count();
+    json["springs"] = simulator.system().model.springs.size();
+    for (std::size_t m = 0; m < face.muscles.size(); ++m) {
+        json["muscles"][face.muscles[m].traits.name] = simulator.contractions().rate[m];
+    }
+    json["max_displacement_mm"] = plan.last.max_displacement_mm;
+    json["max_strain"] = plan.last.max_strain;
+    json["solver"] = {{"name", plan.last.solver},
+                      {"iterations", plan.last.iterations},
+                      {"residual", plan.last.residual},
+                      {"converged", plan.last.converged},
+                      {"ms", plan.last.milliseconds}};
+    json["drags"] = nlohmann::ordered_json::array();
+    for (const DragReport& drag : plan.drags) {
+        json["drags"].push_back(drag_json(face, drag));
+    }
+    char hash[20];
+    std::snprintf(hash, sizeof hash, "%016llx",
+                  static_cast<unsigned long long>(simulator.state_hash()));
+    json["state_hash"] = hash;
+    return json.dump(1) + "\n";
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app) {
+    auto* command = app.add_subcommand("simulate", "Contract muscles and drag skin, without a window");
+    auto a = std::make_shared<Arguments>();
+    a->face.add_to(*command);
+    a->edits.add_to(*command);
+    command->add_option("--solver", a->solver, "equilibrium, symplectic or explicit")
+        ->check(CLI::IsMember({"equilibrium", "symplectic", "explicit"}));
+    command->add_option("--threads", a->threads, "threads to use; the result does not depend on it")
+        ->check(CLI::Range(1, 64));
+    command->add_option("-o", a->output, "OUT.obj or OUT.ply")->required();
+    command->add_option("--report", a->report, "JSON report");
+    command->callback([a] {
+        if (a->threads > 0) {
+            set_thread_count(a->threads);
+        }
+        const Plan plan = a->edits.edits();
+        const OpenedFace opened = a->face.open();
+        SimulatorOptions options;
+        options.solver = a->solver == "explicit"     ? SolverKind::ExplicitEuler
+                         : a->solver == "symplectic" ? SolverKind::SymplecticEuler
+                                                     : SolverKind::Equilibrium;
+        const auto simulator = make_simulator(opened, options);
+        const PlanReport report = run_plan(*simulator, plan);
+        if (!report.last.converged) {
+            std::cerr << "Not at rest after " << report.last.iterations
+                      << " steps; the report says how far.\n";
+        }
+        write_mesh(a->output, *opened.scan, simulator->scan_vertices());
+        if (!a->report.empty()) {
+            write_text(a->report, report_json(*simulator, report));
+        }
+    });
+}
+
+}  // namespace myoface::cli

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace myoface {
+namespace {
+
+using Body = std::function<void(int, int)>;
+
+/// One parallel loop in flight. Workers that wake late hold it alive and find nothing left to do.
+struct Job {
+    const Body* body = nullptr;
+    int count = 0;
+    int grain = 1;
+    int chunks = 0;
+    std::atomic<int> next{0};
+    std::atomic<int> done{0};
+
+    void work() {
+        for (;;) {
+            const int chunk = next.fetch_add(1, std::memory_order_relaxed);
+            if (chunk >= chunks) {
+                return;
+            }
+            (*body)(chunk * grain, std::min(count, (chunk + 1) * grain));
+            done.fetch_add(1, std::memory_order_release);
+        }
+    }
+};
+
+constexpr int kSpins = 4000;  // about 10 microseconds: a pass over 10k nodes follows the last one
+
+class Pool {
+public:
+    explicit Pool(int threads) {
+        for (int i = 1; i < threads; ++i) {
+            workers_.emplace_back([this] { serve(); });
+        }
+    }
+
+    ~Pool() {
+        {
+            const std::lock_guard lock(mutex_);
+            stop_ = true;
+            ++generation_;
+        }
+        wake_.notify_all();
+        for (std::thread& worker : workers_) {
+            worker.join();
+        }
+    }
+
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+
+    int threads() const { return static_cast<int>(workers_.size()) + 1; }
+
+    void run(int count, int grain, const Body& body) {
+        auto job = std::make_shared<Job>();
+        job->body = &body;
+        job->count = count;
+        job->grain = grain;
+        job->chunks = (count + grain - 1) / grain;
+        {
+            const std::lock_guard lock(mutex_);
+            job_ = job;
+            ++generation_;
+        }
+        wake_.notify_all();
+        job->work();
+        while (job->done.load(std::memory_order_acquire) < job->chunks) {
+            std::this_thread::yield();
+        }
+    }
+
+private:
+    void serve() {
+        std::uint64_t seen = 0;
+        for (;;) {
+            for (int spin = 0; spin < kSpins && generation_.load() == seen; ++spin) {
+            }
+            std::shared_ptr<Job> job;
+            {
+                std::unique_lock lock(mutex_);
+                wake_.wait(lock, [&] { return generation_.load() != seen; });
+                if (stop_) {
+                    return;
+                }
+                seen = generation_.load();
+                job = job_;
+            }
+            if (job) {
+                job->work();
+            }
+        }
+    }
+
+    std::vector<std::thread> workers_;
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::shared_ptr<Job> job_;
+    std::atomic<std::uint64_t> generation_{0};
+    bool stop_ = false;
+};
+
+int initial_threads() {
+    if (const char* text = std::getenv("MYOFACE_THREADS")) {
+        const int wanted = std::atoi(text);
+        if (wanted >= 1) {
+            return std::min(wanted, 64);
+        }
+    }
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+}
+
+std::mutex pool_mutex;  // guards creation and exclusive use of the pool
+std::unique_ptr<Pool> pool;
+std::atomic<int> wanted_threads{0};
+thread_local bool inside_loop = false;
+
+}  // namespace
+
+int thread_count() {
+    int count = wanted_threads.load();
+    if (count == 0) {
+        count = initial_threads();
+        wanted_threads.store(count);
+    }
+    return count;
+}
+
+void set_thread_count(int count) {
+    wanted_threads.store(std::clamp(count, 1, 64));
+}
+
+void parallel_for(int count, int grain, const std::function<void(int, int)>& body) {
+    if (count <= 0) {
+        return;
+    }
+    grain = std::max(grain, 1);
+    const int threads = thread_count();
+    std::unique_lock lock(pool_mutex, std::defer_lock);
+    if (threads == 1 || count <= grain || inside_loop || !lock.try_lock()) {
+        for (int begin = 0; begin < count; begin += grain) {
+            body(begin, std::min(count, begin + grain));
+        }
+        return;
+    }
+    if (!pool || pool->threads() != threads) {
+        pool = std::make_unique<Pool>(threads);
+    }
+    inside_loop = true;
+    pool->run(count, grain, body);
+    inside_loop = false;
+}
+
+}  // namespace myoface

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/cases/case_file.h"
+
+#include <zip.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include <nlohmann/json.hpp>
+
+#include "myoface/base/error.h"
+#include "myoface/face/generic_face.h"
+#include "myoface/io/text_file.h"
+
+namespace myoface {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr int kSchema = 1;
+constexpr zip_uint64_t kLargestPart = 2'000'000'000;
+
+struct Archive {
+    zip_t* handle = nullptr;
+    ~Archive() {
+        if (handle != nullptr) {
+            zip_discard(handle);
+        }
+    }
+};
+
+std::string read_part(zip_t* archive, const char* part, const std::string& name, bool needed) {
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    if (zip_stat(archive, part, 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0) {
+        if (needed) {
+            throw IoError(name + ": is not a Myoface case (" + part + " is missing).");
+        }
+        return {};
+    }
+    // A small archive must not unpack to more than a scan can be.
+    if (stat.size > kLargestPart || stat.size > 2000 * (stat.comp_size + 1000)) {
+        throw IoError(name + ": " + part + " is larger than a case can hold.");
+    }
+    std::string bytes(stat.size, '\0');
+    zip_file_t* file = zip_fopen(archive, part, 0);
+    const bool good = file != nullptr &&
+                      zip_fread(file, bytes.data(), stat.size) ==
+                          static_cast<zip_int64_t>(stat.size);
+    if (file != nullptr) {
+        zip_fclose(file);
+    }
+    if (!good) {
+        throw IoError(name + ": " + part + " cannot be unpacked, the case is damaged.");
+    }
+    return bytes;
+}
+
+std::map<std::string, double> settings(const json& manifest, const char* key, double least,
+                                       double most, const std::string& name) {
+    std::map<std::string, double> result;
+    if (!manifest.contains(key)) {
+        return result;
+    }
+    if (!manifest[key].is_object()) {
+        throw IoError(name + ": \"" + key + "\" is damaged.");
+    }
+    for (const auto& [muscle, value] : manifest[key].items()) {
+        const double number = value.is_number() ? value.get<double>() : most + 1.0;
+        if (!(number >= least && number <= most)) {
+            throw IoError(name + ": the setting of " + muscle + " is out of range.");
+        }
+        result[muscle] = number;
+    }
+    return result;
+}
+
+OpenedFace open_case(const std::string& path, const OpenOptions& options,
+                     const Progress* progress) {
+    int code = 0;
+    Archive archive{zip_open(path.c_str(), ZIP_RDONLY, &code)};
+    if (archive.handle == nullptr) {
+        throw IoError(path + ": is not a Myoface case (it is not a zip archive).");
+    }
+    const json manifest =
+        json::parse(read_part(archive.handle, "manifest.json", path, true), nullptr, false);
+    if (!manifest.is_object() || manifest.value("format", json()) != "myoface-case" ||
+        !manifest.contains("schema") || !manifest["schema"].is_number_integer()) {
+        throw IoError(path + ": its manifest is damaged.");
+    }
+    if (manifest["schema"].get<int>() > kSchema) {
+        throw IoError(path + ": was written by a newer Myoface; open it with that one.");
+    }
+    OpenedFace face;
+    face.name = fs::path(path).filename().string();
+    face.scan_bytes = read_part(archive.handle, "scan", path, true);
+    face.texture_bytes = read_part(archive.handle, "texture", path, false);
+    face.rates = settings(manifest, "contractions", kLeastContraction, kMostContraction, path);
+    face.strengths = settings(manifest, "strengths", 0.0, 1.0, path);
+    ReadOptions read;
+    std::string texture;
+    try {
+        face.scan_name = manifest.at("scan").get<std::string>();
+        texture = manifest.value("texture", std::string());
+        read.mm_per_unit = manifest.at("mm_per_unit").get<double>();
+        Mat3 axes;
+        for (int i = 0; i < 9; ++i) {
+            axes(i / 3, i % 3) = manifest.at("axes").at(static_cast<std::size_t>(i)).get<double>();
+        }
+        read.axes = axes;
+    } catch (const json::exception&) {
+        throw IoError(path + ": its manifest is damaged.");
+    }
+    const bool turn = (*read.axes * read.axes->transpose()).isIdentity(1e-9) &&
+                      read.axes->determinant() > 0.0;
+    if (!(*read.mm_per_unit > 1e-6 && *read.mm_per_unit < 1e6) || !turn) {
+        throw IoError(path + ": its unit or axes are damaged.");
+    }
+    if (options.mm_per_unit) {
+        read.mm_per_unit = options.mm_per_unit;
+    }
+    auto scan = std::make_shared<Scan>(
+        read_mesh_bytes(face.scan_bytes, face.scan_name, read, progress));
+    scan->texture = texture;
+    if (!face.texture_bytes.empty()) {
+        face.texture =
+            std::make_shared<Image>(read_image_bytes(face.texture_bytes, path + " texture"));
+    }
+    if (manifest.contains("landmarks")) {
+        face.landmarks = in_model_frame(
+            landmarks_from_json(json{{"landmarks", manifest["landmarks"]}}.dump(), path),
+            scan->frame);
+    }
+    const std::string shape = read_part(archive.handle, "shape.f64", path, false);
+    if (shape.size() % (3 * sizeof(double)) != 0) {
+        throw IoError(path + ": the shape of the skin is damaged.");
+    }
+    face.shape.resize(3, static_cast<Eigen::Index>(shape.size() / (3 * sizeof(double))));
+    std::memcpy(face.shape.data(), shape.data(), shape.size());
+    if (!face.shape.allFinite()) {
+        throw IoError(path + ": the shape of the skin is damaged.");
+    }
+    face.report = describe(*scan, path);
+    face.scan = std::move(scan);
+    return face;
+}
+
+std::optional<fs::path> landmarks_beside(const fs::path& file) {
+    const std::string name = file.stem().string() + ".landmarks.json";
+    std::error_code error;
+    for (const fs::path& folder : {file.parent_path(), file.parent_path() / "../landmarks"}) {
+        if (fs::is_regular_file(folder / name, error)) {
+            return folder / name;
+        }
+    }
+    return std::nullopt;
+}
+
+OpenedFace open_generic() {
+    GenericFace generic = make_generic_face();
+    OpenedFace face;
+    face.name = face.scan_name = "generic.ply";
+    face.landmarks = std::move(generic.landmarks);
+    face.report = describe(generic.scan, "generic.ply");
+    face.scan = std::make_shared<const Scan>(std::move(generic.scan));
+    return face;
+}
+
+}  // namespace
+
+OpenedFace open_face(const std::string& path, const OpenOptions& options,
+                     const Progress* progress) {
+    if (path == "generic") {
+        return open_generic();
+    }
+    const fs::path file(path);
+    if (file.extension() == ".myoface") {
+        std::error_code error;
+        if (!fs::is_regular_file(file, error)) {
+            throw IoError(path + ": there is no such file.");
+        }
+        return open_case(path, options, progress);
+    }
+    OpenedFace face;
+    face.name = face.scan_name = file.filename().string();
+    face.scan_bytes = read_file(file);
+    const std::optional<fs::path> landmark_path =
+        options.landmarks ? options.landmarks : landmarks_beside(file);
+    std::optional<LandmarkFile> landmarks;
+    if (landmark_path) {
+        landmarks = read_landmarks(*landmark_path);
+    }
+    ReadOptions read{options.mm_per_unit, options.axes};
+    if (landmarks) {
+        const FileFrame frame =
+            frame_from_landmarks(*landmarks, options.mm_per_unit, options.axes);
+        read = {frame.mm_per_unit, frame.axes};
+    }
+    auto scan = std::make_shared<Scan>(read_mesh(file, read, progress));
+    face.report = describe(*scan, file);
+    face.report.unit_is_guess = !landmarks && !options.mm_per_unit;
+    std::string note;
+    face.texture = load_texture(*scan, file, &note);
+    if (!note.empty()) {
+        face.report.notes.push_back(note);
+    }
+    if (face.texture) {
+        face.texture_bytes = read_file(*texture_path(*scan, file));
+    }
+    if (landmarks) {
+        face.landmarks = in_model_frame(*landmarks, scan->frame);
+    }
+    face.scan = std::move(scan);
+    return face;
+}
+
+std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened,
+                                          const SimulatorOptions& options,
+                                          const Progress* progress) {
+    if (!opened.landmarks) {
+        throw InvalidInput(opened.name +
+                           ": no landmarks are known for this scan; give a landmark file with "
+                           "--landmarks, or place the points in the window.");
+    }
+    auto simulator = std::make_unique<Simulator>(
+        fit_face(opened.scan, *opened.landmarks, progress), options);
+    const auto& muscles = simulator->face().muscles;
+    for (std::size_t m = 0; m < muscles.size(); ++m) {
+        const auto rate = opened.rates.find(muscles[m].traits.name);
+        if (rate != opened.rates.end()) {
+            simulator->set_contraction(static_cast<int>(m), rate->second);
+        }
+        const auto strength = opened.strengths.find(muscles[m].traits.name);
+        if (strength != opened.strengths.end()) {
+            simulator->set_strength(static_cast<int>(m), strength->second);
+        }
+    }
+    if (opened.shape.cols() > 0) {
+        simulator->set_skin_rest(simulator->skin_rest() + opened.shape);
+    }
+    return simulator;
+}
+
+void write_case(const std::filesystem::path& file, const OpenedFace& opened,
+                const Simulator* simulator) {
+    json manifest;
+    manifest["format"] = "myoface-case";
+    manifest["schema"] = kSchema;
+    manifest["note"] = "A planning and communication aid, not a medical device.";
+    manifest["scan"] = opened.scan_name;
+    manifest["texture"] = opened.scan->texture;
+    manifest["mm_per_unit"] = opened.scan->frame.mm_per_unit;
+    json axes = json::array();
+    for (int i = 0; i < 9; ++i) {
+        axes.push_back(opened.scan->frame.axes(i / 3, i % 3));
+    }
+    manifest["axes"] = axes;
+    if (opened.landmarks) {
+        manifest["landmarks"] =
+            json::parse(landmarks_to_json(*opened.landmarks, opened.scan->frame))["landmarks"];
+        for (auto& [name, value] : manifest["landmarks"].items()) {
+            value = {{"xyz", value}, {"est_error_mm", opened.landmarks->at(name).error_mm}};
+        }
+    }
+    std::string shape;
+    if (simulator != nullptr) {
+        const Contractions& c = simulator->contractions();
+        for (std::size_t m = 0; m < c.rate.size(); ++m) {
+            const std::string& name = simulator->face().muscles[m].traits.name;
+            if (c.rate[m] != 0.0) {
+                manifest["contractions"][name] = c.rate[m];
+            }
+            if (c.strength[m] != 1.0) {
+                manifest["strengths"][name] = c.strength[m];
+            }
+        }
+        const Points moved = simulator->skin_rest() - simulator->face().skin.mesh.vertices;
+        if (moved.cwiseAbs().maxCoeff() > 0.0) {
+            shape.assign(reinterpret_cast<const char*>(moved.data()),
+                         static_cast<std::size_t>(moved.size()) * sizeof(double));
+        }
+    }
+    std::string scan_bytes = opened.scan_bytes;
+    if (scan_bytes.empty()) {  // generated: it has no file yet
+        const fs::path part =
+            fs::temp_directory_path() /
+            ("myoface-" + std::to_string(reinterpret_cast<std::uintptr_t>(&opened)) + ".ply");
+        write_mesh(part, *opened.scan, opened.scan->mesh.vertices);
+        scan_bytes = read_file(part);
+        fs::remove(part);
+    }
+    const std::string text = manifest.dump(1);
+    const fs::path part = file.string() + ".part";
+    int code = 0;
+    Archive archive{zip_open(part.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code)};
+    const auto fail = [&] {
+        std::error_code ignored;
+        fs::remove(part, ignored);
+        throw IoError(file.string() +
+                      ": cannot be written (is the folder there, writable and not full?).");
+    };
+    if (archive.handle == nullptr) {
+        fail();
+    }
+    const auto add = [&](const char* name, const std::string& bytes) {
+        zip_source_t* source =
+            zip_source_buffer(archive.handle, bytes.data(), bytes.size(), 0);
+        if (source == nullptr ||
+            zip_file_add(archive.handle, name, source, ZIP_FL_OVERWRITE) < 0) {
+            fail();
+        }
+    };
+    add("manifest.json", text);
+    add("scan", scan_bytes);
+    if (!opened.texture_bytes.empty()) {
+        add("texture", opened.texture_bytes);
+    }
+    if (!shape.empty()) {
+        add("shape.f64", shape);
+    }
+    if (zip_close(archive.handle) != 0) {
+        fail();
+    }
+    archive.handle = nullptr;
+    std::error_code error;
+    fs::rename(part, file, error);
+    if (error) {
+        fail();
+    }
+}
+
+}  // namespace myoface

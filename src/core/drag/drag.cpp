@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/drag/drag.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "myoface/mesh/bvh.h"
+#include "myoface/physics/forces.h"
+
+namespace myoface {
+namespace {
+
+constexpr double kLongestJump = 3.0;        // of the kernel in one update [mm]
+constexpr double kHandStiffness = 1000.0;   // [mN/mm]
+constexpr double kLargestForce = 6000.0;    // [mN]
+constexpr double kSecondStageLimit = 1.3;   // strain allowed in stage 2, of the region's limit
+constexpr double kLayerOtherLabel = 3.0;
+constexpr int kBisections = 7;
+constexpr int kSettleSweeps = 6000;
+
+Eigen::Vector2d in_plane(const ViewRay& ray, const Vec3& point) {
+    return view_plane(ray.direction).transpose() * point;
+}
+
+/// Force on the grabbed point along the view.
+double view_force(const Grip& grip, const Points& forces, const Vec3& view) {
+    return grip_position(grip, forces).dot(view);
+}
+
+}  // namespace
+
+Vec3 depth_correction(const MassSpringModel& model, const Points& positions, int node,
+                      const Vec3& view, double gain) {
+    Vec3 a = Vec3::Zero();
+    double stiffness = 0.0;
+    for (int e = model.spring_start[node]; e < model.spring_start[node + 1]; ++e) {
+        const SpringEnd& spring = model.spring_ends[e];
+        const Vec3 r = positions.col(node) - positions.col(spring.other);
+        const double distance = r.norm();
+        if (distance > 0.0) {
+            a += spring.stiffness * (1.0 - spring.length / distance) * r;  // (4)
+        }
+        stiffness += spring.stiffness;
+    }
+    if (!(stiffness > 0.0)) {
+        return Vec3::Zero();
+    }
+    a *= gain / stiffness;
+    const Vec3 along_view = a.dot(view) / view.dot(view) * view;  // (5)
+    return -along_view;                                           // (6)
+}
+
+SkinDrag::SkinDrag(const FaceModel& face, const FaceMassSpring& system, const DragRequest& request,
+                   const ViewRay& ray, const Points& start)
+    : face_(face), system_(system), request_(request), start_(start) {
+    hands_.push_back(make_hand(request.where, ray));
+    if (request.mirrored) {
+        add_mirrored_hand();
+    }
+}
+
+SkinDrag::Hand SkinDrag::make_hand(const SurfacePoint& where, const ViewRay& ray) const {
+    Hand hand;
+    hand.grip = grip_at(face_, where);
+    const double radius =
+        request_.radius > 0.0 ? request_.radius : kernel_radius(face_, hand.grip);
+    hand.kernel = stress_kernel(face_, start_, hand.grip, radius);
+    hand.layer_kernel =
+        stress_kernel(face_, start_, hand.grip, 2.0 * radius, kLayerOtherLabel);
+    hand.ray = ray;
+    hand.start = grip_position(hand.grip, start_);
+    Vec3 centre = Vec3::Zero();
+    for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
+        centre += hand.kernel.weights[k] * start_.col(hand.kernel.nodes[k]);
+    }
+    hand.target = in_plane(ray, centre);
+    std::vector<char> near(static_cast<std::size_t>(face_.node_count()), 0);
+    for (const int node : stress_kernel(face_, start_, hand.grip, 2.0 * radius, 1.0).nodes) {
+        near[node] = 1;
+    }
+    const MassSpringModel& model = system_.model;
+    for (std::size_t s = 0; s < model.springs.size(); ++s) {
+        const Spring& spring = model.springs[s];
+        if (spring.a < model.skin_nodes && spring.b < model.skin_nodes && near[spring.a] != 0 &&
+            near[spring.b] != 0) {
+            hand.near_springs.push_back(static_cast<int>(s));
+        }
+    }
+    return hand;
+}
+
+void SkinDrag::add_mirrored_hand() {
+    // The other side is found on the average head, where it is exact, not in space.
+    const TriangleMesh generic{face_.generic, face_.skin.mesh.triangles};
+    Vec3 other = position(generic, request_.where);
+    if (std::abs(other.x()) < 1.0) {
+        return;  // on the midline already
+    }
+    other.x() = -other.x();
+    const ClosestPoint found = Bvh(generic).closest_point(generic, other);
+    Hand hand = make_hand(found.where, hands_.front().ray);
+    hands_.push_back(hand);
+    hands_[1].ray = mirrored(hands_.front().ray);
+    // The plane of the mirrored view differs: set the target anew.
+    Vec3 centre = Vec3::Zero();
+    for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
+        centre += hand.kernel.weights[k] * start_.col(hand.kernel.nodes[k]);
+    }
+    hands_[1].target = in_plane(hands_[1].ray, centre);
+}
+
+ViewRay SkinDrag::mirrored(const ViewRay& ray) const {
+    const Vec3 normal = face_.axes.col(0);
+    const Vec3 middle = 0.5 * (hands_[0].start + hands_[1].start);
+    ViewRay other;
+    other.origin = ray.origin - 2.0 * normal.dot(ray.origin - middle) * normal;
+    other.direction = ray.direction - 2.0 * normal.dot(ray.direction) * normal;
+    // The two grips are not exact mirror images: keep the offset of the second.
+    const Vec3 image = hands_[0].start - 2.0 * normal.dot(hands_[0].start - middle) * normal;
+    other.origin += hands_[1].start - image;
+    return other;
+}
+
+void SkinDrag::move_to(const ViewRay& ray) {
+    const auto turn = [](Hand& hand, const ViewRay& next) {
+        // A perspective ray turns its plane a little: carry the target over.
+        const Vec3 at = view_plane(hand.ray.direction) * hand.target +
+                        hand.start.dot(hand.ray.direction) * hand.ray.direction;
+        hand.ray = next;
+        hand.target = in_plane(next, at);
+    };
+    turn(hands_[0], ray);
+    if (hands_.size() > 1) {
+        turn(hands_[1], mirrored(ray));
+    }
+}
+
+std::vector<Handle> SkinDrag::handles() const {
+    std::vector<Handle> result;
+    for (const Hand& hand : hands_) {
+        result.push_back({hand.kernel.nodes, hand.kernel.weights, view_plane(hand.ray.direction),
+                          hand.target});
+    }
+    return result;
+}
+
+std::vector<HandPull> SkinDrag::pulls() const {
+    std::vector<HandPull> result;
+    for (const Hand& hand : hands_) {
+        HandPull pull;
+        pull.grip_nodes = hand.grip.nodes;
+        pull.grip_weights = hand.grip.weights;
+        pull.nodes = hand.kernel.nodes;
+        pull.weights = hand.kernel.weights;
+        pull.layer_nodes = hand.layer_kernel.nodes;
+        pull.layer_weights = hand.layer_kernel.weights;
+        pull.plane = view_plane(hand.ray.direction);
+        pull.target = in_plane(hand.ray, hand.ray.origin);
+        pull.stiffness = kHandStiffness;
+        pull.largest = kLargestForce;
+        pull.skin_share = second_stage_ ? 0.0 : skin_share_;
+        pull.layer_share = second_stage_ ? layer_share_ : 0.0;
+        result.push_back(std::move(pull));
+    }
+    return result;
+}
+
+double SkinDrag::step_towards_ray(MassSpringState& state) {
+    double left = 0.0;
+    for (Hand& hand : hands_) {
+        const auto plane = view_plane(hand.ray.direction);
+        const Vec3 at = grip_position(hand.grip, state.positions);
+        Eigen::Vector2d way = plane.transpose() * (hand.ray.origin - at);
+        const double distance = way.norm();
+        if (distance > kLongestJump) {
+            way *= kLongestJump / distance;
+            left = std::max(left, distance - kLongestJump);
+        }
+        const Vec3 move = plane * way;
+        double carried = 0.0;
+        for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
+            state.positions.col(hand.kernel.nodes[k]) += hand.kernel.profile[k] * move;
+            carried += hand.kernel.weights[k] * hand.kernel.profile[k];
+        }
+        hand.target += carried * way;
+        // (4)-(6) for the grabbed point, its neighbours where the kernel put them; relaxation
+        // follows in turn.
+        for (const int node : hand.grip.nodes) {
+            if (system_.model.fixed[node] == 0) {
+                state.positions.col(node) +=
+                    depth_correction(system_.model, state.positions, node, hand.ray.direction, 0.5);
+            }
+        }
+    }
+    return left;
+}
+
+/// The handle holds a mean of the kernel's nodes; the point itself must lie on the ray.
+double SkinDrag::correct_targets(const Points& positions) {
+    double worst = 0.0;
+    for (Hand& hand : hands_) {
+        const Vec3 at = grip_position(hand.grip, positions);
+        const Eigen::Vector2d error = in_plane(hand.ray, hand.ray.origin) - in_plane(hand.ray, at);
+        hand.target += 0.7 * error;
+        worst = std::max(worst, error.norm());
+    }
+    return worst;
+}
+
+double SkinDrag::strain_share(const Points& positions) const {
+    double share = 0.0;
+    for (const Hand& hand : hands_) {
+        share = std::max(share, skin_strain(system_.model, positions, hand.near_springs,
+                                            system_.strain_limit)
+                                    .share_of_limit);
+    }
+    return share;
+}
+
+/// Stage 1's load stays on the skin while stage 2 works on the muscle layer.
+Drive SkinDrag::with_first_stage(const Drive& drive) const {
+    Drive loaded = drive;
+    if (loaded.load.cols() == 0) {
+        loaded.load = Points::Zero(3, system_.model.node_count());
+    }
+    for (const Hand& hand : hands_) {
+        for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
+            loaded.load.col(hand.kernel.nodes[k]) +=
+                skin_share_ * hand.kernel.weights[k] * hand.skin_force;
+        }
+    }
+    return loaded;
+}
+
+RelaxReport SkinDrag::pull(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
+                           int iterations) {
+    RelaxOptions options;
+    options.iterations = iterations;
+    const std::vector<HandPull> hands = pulls();
+    const RelaxReport report =
+        second_stage_ ? solver.relax(state, with_first_stage(drive), options, {}, hands)
+                      : solver.relax(state, drive, options, {}, hands);
+    for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
+        hands_[h].force = solver.hand_forces()[h];
+    }
+    return report;
+}
+
+void SkinDrag::enter_second_stage(EquilibriumSolver& solver, MassSpringState& state) {
+    for (Hand& hand : hands_) {
+        hand.skin_force = hand.force;
+    }
+    second_stage_ = true;
+    state.layer = Points::Zero(3, system_.model.skin_nodes);
+    solver.restart();
+}
+
+RelaxReport SkinDrag::update(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
+                             int iterations) {
+    if (request_.mode == DragMode::MousePriority) {
+        const double left = step_towards_ray(state);
+        RelaxOptions options;
+        options.iterations = iterations;
+        RelaxReport report = solver.relax(state, drive, options, handles());
+        for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
+            hands_[h].force = solver.hand_forces()[h];
+        }
+        report.converged = report.converged && left == 0.0;
+        return report;
+    }
+    RelaxReport report = pull(solver, state, drive, iterations);
+    // Between frames the shares follow the strain instead of being searched for.
+    double& share = second_stage_ ? layer_share_ : skin_share_;
+    const double most = second_stage_ ? 1.0 - skin_share_ : 1.0;
+    const double limit = second_stage_ ? kSecondStageLimit : 1.0;
+    const double strain = strain_share(state.positions) / limit;
+    const double before = share;
+    if (strain > 1.0) {
+        share *= std::max(0.6, 1.0 / strain);
+    } else if (share < most) {
+        share = std::min(most, share * std::min(1.15, 1.0 / std::max(strain, 1e-3)) + 0.002);
+    }
+    if (std::abs(share - before) > 0.003) {
+        report.converged = false;
+    } else if (!second_stage_ && skin_share_ < 0.98 && strain > 0.95) {
+        enter_second_stage(solver, state);
+        report.converged = false;
+    } else if (second_stage_ && strain < 0.7 / kSecondStageLimit) {
+        second_stage_ = false;  // the hand went back
+        layer_share_ = 0.0;
+        state.layer.resize(3, 0);
+        solver.restart();
+        report.converged = false;
+    }
+    return report;
+}
+
+RelaxReport SkinDrag::bisect_share(EquilibriumSolver& solver, MassSpringState& state,
+                                   const Drive& drive, double& share, double most, double limit) {
+    share = most;
+    RelaxReport report = pull(solver, state, drive, kSettleSweeps);
+    int sweeps = report.iterations;
+    if (strain_share(state.positions) > limit) {
+        double low = 0.0;
+        double high = most;
+        for (int k = 0; k < kBisections; ++k) {
+            share = 0.5 * (low + high);
+            report = pull(solver, state, drive, kSettleSweeps);
+            sweeps += report.iterations;
+            (strain_share(state.positions) > limit ? high : low) = share;
+        }
+        share = low;
+        report = pull(solver, state, drive, kSettleSweeps);
+        sweeps += report.iterations;
+    }
+    report.iterations = sweeps;
+    return report;
+}
+
+RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state,
+                             const Drive& drive) {
+    if (request_.mode == DragMode::ConstraintPriority) {
+        second_stage_ = false;
+        layer_share_ = 0.0;
+        state.layer.resize(3, 0);
+        solver.restart();
+        RelaxReport report = bisect_share(solver, state, drive, skin_share_, 1.0, 1.0);
+        if (skin_share_ < 0.999) {
+            const int sweeps = report.iterations;
+            enter_second_stage(solver, state);
+            report = bisect_share(solver, state, drive, layer_share_, 1.0 - skin_share_,
+                                  kSecondStageLimit);
+            report.iterations += sweeps;
+        }
+        return report;
+    }
+    RelaxReport report;
+    int sweeps = 0;
+    constexpr double kOnRay = 0.002;  // [mm]
+    for (int round = 0; round < 200; ++round) {
+        const double left = step_towards_ray(state);
+        RelaxOptions options;
+        options.iterations = left > 0.0 ? 20 : kSettleSweeps;
+        report = solver.relax(state, drive, options, handles());
+        sweeps += report.iterations;
+        for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
+            hands_[h].force = solver.hand_forces()[h];
+        }
+        if (!report.finite) {
+            break;
+        }
+        if (left == 0.0) {
+            double worst = 0.0;
+            for (const Hand& hand : hands_) {
+                worst = std::max(worst, distance_to_ray(hand.ray, grip_position(hand.grip,
+                                                                                state.positions)));
+            }
+            if (worst < kOnRay && report.converged) {
+                break;
+            }
+            // Only the target is put right from here on: the face is close to its place.
+            for (int fine = 0; fine < 12 && worst >= kOnRay; ++fine) {
+                correct_targets(state.positions);
+                report = solver.relax(state, drive, options, handles());
+                sweeps += report.iterations;
+                worst = 0.0;
+                for (const Hand& hand : hands_) {
+                    worst = std::max(worst,
+                                     distance_to_ray(hand.ray, grip_position(hand.grip,
+                                                                             state.positions)));
+                }
+            }
+            for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
+                hands_[h].force = solver.hand_forces()[h];
+            }
+            break;
+        }
+    }
+    report.iterations = sweeps;
+    return report;
+}
+
+DragReport SkinDrag::report(const MassSpringState& state, const Drive& drive,
+                            bool with_forces) const {
+    const Hand& hand = hands_.front();
+    const Vec3 view = hand.ray.direction;
+    DragReport report;
+    report.mode = request_.mode;
+    const auto nearest = std::max_element(hand.grip.weights.begin(), hand.grip.weights.end());
+    report.node = hand.grip.nodes[static_cast<std::size_t>(nearest - hand.grip.weights.begin())];
+    report.reached = grip_position(hand.grip, state.positions);
+    const Vec3 from_origin = report.reached - hand.ray.origin;
+    report.target = hand.ray.origin + from_origin.dot(view) * view;
+    report.off_ray_mm = distance_to_ray(hand.ray, report.reached);
+    report.force_mN = hand.force.norm();
+    report.strain_share = strain_share(state.positions);
+    if (request_.mode == DragMode::ConstraintPriority) {
+        report.stage_skin_mN =
+            skin_share_ * (second_stage_ ? hand.skin_force.norm() : hand.force.norm());
+        report.stage_muscle_mN = second_stage_ ? layer_share_ * hand.force.norm() : 0.0;
+        report.refused_mN =
+            std::max(0.0, report.force_mN - report.stage_skin_mN - report.stage_muscle_mN);
+    }
+    if (!with_forces) {
+        return report;
+    }
+    // Before: the grabbed point alone on the ray, everything else where the drag began.
+    MassSpringState before;
+    before.positions = start_;
+    before.velocities = Points::Zero(3, start_.cols());
+    const Vec3 sideways =
+        view_plane(view) * (view_plane(view).transpose() * (hand.ray.origin - hand.start));
+    for (const int node : hand.grip.nodes) {
+        before.positions.col(node) += sideways;
+    }
+    const Points f0 = total_forces(system_.model, before, drive, false);
+    const Points f1 = total_forces(system_.model, state, drive, false);
+    const double at_start = std::max(std::abs(view_force(hand.grip, f0, view)),
+                                     0.02 * grip_position(hand.grip, f0).norm());
+    report.view_force_residual =
+        at_start > 0.0 ? std::abs(view_force(hand.grip, f1, view)) / at_start : 0.0;
+    return report;
+}
+
+}  // namespace myoface

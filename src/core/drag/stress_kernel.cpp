@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/drag/stress_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "myoface/mesh/geodesic.h"
+
+namespace myoface {
+
+Grip grip_at(const FaceModel& face, const SurfacePoint& where) {
+    Grip grip;
+    for (int c = 0; c < 3; ++c) {
+        if (where.weights[c] > 1e-9) {
+            grip.nodes.push_back(face.skin.mesh.triangles(c, where.triangle));
+            grip.weights.push_back(where.weights[c]);
+        }
+    }
+    return grip;
+}
+
+Vec3 grip_position(const Grip& grip, const Points& positions) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < grip.nodes.size(); ++k) {
+        sum += grip.weights[k] * positions.col(grip.nodes[k]);
+    }
+    return sum;
+}
+
+double kernel_radius(const FaceModel& face, const Grip& grip) {
+    double radius = 0.0;
+    for (std::size_t k = 0; k < grip.nodes.size(); ++k) {
+        const TissueProperties& tissue = face.tissue[grip.nodes[k]];
+        const Vec3 p = face.generic.col(grip.nodes[k]);
+        double own = 18.0;
+        switch (tissue.region) {
+            case Region::Nose:
+                own = 11.0;
+                break;
+            case Region::UpperLip:
+            case Region::LowerLip:
+            case Region::Lids:
+                own = 12.0;
+                break;
+            case Region::Brow:
+            case Region::Glabella:
+            case Region::Forehead:
+            case Region::Temple:
+                own = 15.0;
+                break;
+            case Region::Chin:
+                own = 22.0;
+                break;
+            case Region::Cheek:
+                // Towards the mouth corner the grip narrows.
+                own = std::hypot(std::abs(p.x()) - 24.0, p.y() + 52.0) < 10.0 ? 12.0 : 20.0;
+                break;
+            default:
+                break;
+        }
+        // Thick tissue is gripped more broadly than skin close to the bone.
+        own *= std::clamp(std::sqrt(tissue.depth / 10.0), 0.9, 1.15);
+        radius += grip.weights[k] * own;
+    }
+    return radius;
+}
+
+StressKernel stress_kernel(const FaceModel& face, const Points& skin, const Grip& grip,
+                           double radius, double other_label) {
+    std::vector<GeodesicSource> sources;
+    const Vec3 centre = grip_position(grip, skin);
+    for (const int node : grip.nodes) {
+        sources.push_back({node, (skin.col(node) - centre).norm()});
+    }
+    const auto weight = [&](int a, int b) {
+        return face.label[a].muscle == face.label[b].muscle ? 1.0 : other_label;
+    };
+    const std::vector<double> distance =
+        geodesic_distances(skin.leftCols(face.node_count()), *face.adjacency, sources, radius,
+                           other_label == 1.0 ? EdgeWeight{} : EdgeWeight(weight));
+    StressKernel kernel;
+    kernel.radius = radius;
+    double sum = 0.0;
+    for (int i = 0; i < face.node_count(); ++i) {
+        if (!(distance[i] < radius) || face.tissue[i].fixed) {
+            continue;
+        }
+        const double share = 1.0 - distance[i] * distance[i] / (radius * radius);
+        const double w = share * share * face.area[i];
+        kernel.nodes.push_back(i);
+        kernel.weights.push_back(w);
+        kernel.profile.push_back(share * share);
+        sum += w;
+    }
+    if (!(sum > 0.0)) {  // a mesh coarser than the kernel: the grip itself
+        kernel.nodes = grip.nodes;
+        kernel.weights = grip.weights;
+        kernel.profile.assign(grip.nodes.size(), 1.0);
+        return kernel;
+    }
+    for (double& w : kernel.weights) {
+        w /= sum;
+    }
+    return kernel;
+}
+
+}  // namespace myoface

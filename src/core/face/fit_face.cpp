@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+#include "muscle_placement.h"
+#include "myoface/base/error.h"
+#include "myoface/base/parallel.h"
+#include "myoface/face/face_model.h"
+#include "myoface/face/generic_face.h"
+#include "myoface/io/mesh_file.h"
+#include "myoface/mesh/bvh.h"
+#include "myoface/mesh/normals.h"
+#include "sliding_surface.h"
+
+namespace myoface {
+namespace {
+
+/// How much an error of 1 mm may unbend the warp [mm]; about the spacing of landmarks.
+constexpr double kWarpSoftness = 1.5;
+/// A landmark further off the scan than this is a mistake, not an imprecision.
+constexpr double kFarOff = 25.0;
+
+struct Pairs {
+    std::vector<std::string> names;
+    Points scan, generic;
+    Eigen::VectorXd errors;
+};
+
+Pairs common_landmarks(const Landmarks& landmarks) {
+    Pairs pairs;
+    const Landmarks& generic = generic_landmarks();
+    for (const auto& [name, landmark] : landmarks) {
+        if (generic.count(name) != 0) {
+            pairs.names.push_back(name);
+        }
+    }
+    const auto n = static_cast<Eigen::Index>(pairs.names.size());
+    pairs.scan.resize(3, n);
+    pairs.generic.resize(3, n);
+    pairs.errors.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const std::string& name = pairs.names[static_cast<std::size_t>(i)];
+        pairs.scan.col(i) = landmarks.at(name).position;
+        pairs.generic.col(i) = generic.at(name).position;
+        pairs.errors[i] = landmarks.at(name).error_mm;
+    }
+    return pairs;
+}
+
+/// Those that need not be anatomically exact to tell how a head is turned.
+void check_enough(const Landmarks& landmarks) {
+    const auto has = [&](const char* name) { return landmarks.count(name) != 0; };
+    const bool eyes = (has("en_l") || has("ex_l")) && (has("en_r") || has("ex_r"));
+    const bool mouth = has("ch_l") && has("ch_r");
+    const bool profile = has("prn") || has("sn");
+    if (!eyes || !mouth || !profile) {
+        throw InvalidInput(
+            "The landmarks do not suffice: a corner of each eye (en or ex), both mouth corners "
+            "(ch_l, ch_r) and the nose (prn or sn) are needed.");
+    }
+}
+
+Eigen::VectorXd weights_of(const Pairs& pairs) {
+    return (pairs.errors.array().square() + 4.0).inverse().matrix();
+}
+
+double rms(const Pairs& pairs, const Similarity& to_generic, const Eigen::VectorXd& weights) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < pairs.scan.cols(); ++i) {
+        const Vec3 at = pairs.scan.col(i);
+        sum += weights[i] * (to_generic(at) - Vec3(pairs.generic.col(i))).squaredNorm();
+    }
+    return std::sqrt(sum / weights.sum());
+}
+
+/// Many label sets call the deepest point of the nasal root "nasion"; the true one lies higher.
+/// Which one was meant shows in its height over the inner canthi.
+void settle_nasion(Landmarks& landmarks, const Similarity& to_generic) {
+    if (landmarks.count("n") == 0 || landmarks.count("se") != 0 || landmarks.count("en_l") == 0 ||
+        landmarks.count("en_r") == 0) {
+        return;
+    }
+    const double canthi = 0.5 * (to_generic(landmarks["en_l"].position).y() +
+                                 to_generic(landmarks["en_r"].position).y());
+    const Landmarks& generic = generic_landmarks();
+    const double middle = 0.5 * (generic.at("n").position.y() + generic.at("se").position.y());
+    if (to_generic(landmarks["n"].position).y() - canthi <
+        middle - generic.at("en_l").position.y()) {
+        landmarks["se"] = landmarks["n"];
+        landmarks.erase("n");
+    }
+}
+
+/// Fits the pose and refuses what cannot be a face. @return scan -> average head
+Similarity pose(const Landmarks& landmarks) {
+    check_enough(landmarks);
+    const Pairs pairs = common_landmarks(landmarks);
+    const Eigen::VectorXd weights = weights_of(pairs);
+    const Similarity found = fit_similarity(pairs.scan, pairs.generic, weights);
+    if (!std::isfinite(found.scale) || found.scale <= 0.0) {
+        throw InvalidInput("The landmarks all lie in one place or on one line.");
+    }
+    Landmarks swapped;
+    for (const auto& [name, landmark] : landmarks) {
+        swapped[mirrored_name(name)] = landmark;
+    }
+    const Pairs other = common_landmarks(swapped);
+    const Similarity mirrored = fit_similarity(other.scan, other.generic, weights_of(other));
+    const double error = rms(pairs, found, weights);
+    if (rms(other, mirrored, weights_of(other)) < 0.6 * error) {
+        throw InvalidInput(
+            "Left and right of the landmarks are swapped: _l must be the patient's own left.");
+    }
+    if (error > 16.0) {
+        throw InvalidInput("The landmarks do not lie as on a face: they differ by " +
+                           std::to_string(static_cast<int>(std::lround(error))) +
+                           " mm from an average face of the same size and pose.");
+    }
+    return found;
+}
+
+void check_near(const Landmarks& landmarks, const TriangleMesh& mesh, const Bvh& bvh) {
+    for (const auto& [name, landmark] : landmarks) {
+        const double distance = bvh.closest_point(mesh, landmark.position).distance;
+        if (distance > kFarOff) {
+            throw InvalidInput("The landmark " + name + " lies " +
+                               std::to_string(static_cast<int>(std::lround(distance))) +
+                               " mm away from the scan: do the landmarks belong to this file, in "
+                               "its own unit?");
+        }
+    }
+}
+
+/// The part that holds the face, as a mesh of its own; other parts (eyeballs, lashes, scraps) ride
+/// along unmoved.
+WeldedMesh main_part(const Scan& scan, const Vec3& nose) {
+    WeldedMesh welded = weld(scan.mesh);
+    const Components parts = connected_components(welded.mesh);
+    if (parts.count <= 1 || welded.mesh.triangle_count() == 0) {
+        return welded;
+    }
+    const Bvh bvh(welded.mesh);
+    std::vector<double> area(static_cast<std::size_t>(parts.count), 0.0);
+    for (int t = 0; t < welded.mesh.triangle_count(); ++t) {
+        area[parts.of_vertex[welded.mesh.triangles(0, t)]] +=
+            double_area_vector(welded.mesh, t).norm();
+    }
+    int keep = parts.of_vertex[welded.mesh.triangles(
+        0, bvh.closest_point(welded.mesh, nose).where.triangle)];
+    const auto largest = std::max_element(area.begin(), area.end());
+    if (area[keep] < 0.2 * *largest) {
+        keep = static_cast<int>(largest - area.begin());  // a scrap in front of the nose
+    }
+    std::vector<int> number(static_cast<std::size_t>(welded.mesh.vertex_count()), -1);
+    WeldedMesh part;
+    int count = 0;
+    for (int v = 0; v < welded.mesh.vertex_count(); ++v) {
+        if (parts.of_vertex[v] == keep) {
+            number[v] = count++;
+        }
+    }
+    part.mesh.vertices.resize(3, count);
+    for (int v = 0; v < welded.mesh.vertex_count(); ++v) {
+        if (number[v] >= 0) {
+            part.mesh.vertices.col(number[v]) = welded.mesh.vertices.col(v);
+        }
+    }
+    std::vector<Eigen::Vector3i> triangles;
+    for (int t = 0; t < welded.mesh.triangle_count(); ++t) {
+        const Eigen::Vector3i v = welded.mesh.triangles.col(t);
+        if (number[v[0]] >= 0) {
+            triangles.emplace_back(number[v[0]], number[v[1]], number[v[2]]);
+            part.of_triangle.push_back(welded.of_triangle[t]);
+        }
+    }
+    part.mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        part.mesh.triangles.col(static_cast<Eigen::Index>(t)) = triangles[t];
+    }
+    for (const int v : welded.of_vertex) {
+        part.of_vertex.push_back(v < 0 ? -1 : number[v]);
+    }
+    return part;
+}
+
+/// Nodes of an open mouth that face each other across the slit.
+std::vector<std::pair<int, int>> find_lip_contacts(const FaceModel& face) {
+    std::vector<int> upper;
+    std::vector<int> lower;
+    for (int v = 0; v < face.node_count(); ++v) {
+        const Vec3 p = face.generic.col(v);
+        if (std::abs(p.x()) > 24.0 || std::abs(p.y() + 52.0) > 9.0 || p.z() < 70.0) {
+            continue;
+        }
+        double height = 0.0;
+        for (const int w : face.adjacency->neighbours(v)) {
+            height += face.generic(1, w);
+        }
+        height /= static_cast<double>(face.adjacency->neighbours(v).size());
+        (height > p.y() ? upper : lower).push_back(v);
+    }
+    constexpr double kTouching = 0.6;  // [mm]
+    std::vector<std::pair<int, int>> pairs;
+    for (const int u : upper) {
+        int best = -1;
+        double nearest = kTouching;
+        for (const int l : lower) {
+            const double distance =
+                (face.skin.mesh.vertices.col(u) - face.skin.mesh.vertices.col(l)).norm();
+            if (distance < nearest) {
+                nearest = distance;
+                best = l;
+            }
+        }
+        if (best < 0) {
+            continue;
+        }
+        // Neighbours on one sheet are not two lips.
+        bool joined = false;
+        for (const int w : face.adjacency->neighbours(u)) {
+            joined = joined || w == best;
+            for (const int x : face.adjacency->neighbours(w)) {
+                joined = joined || x == best;
+            }
+        }
+        if (!joined) {
+            pairs.emplace_back(u, best);
+        }
+    }
+    return pairs;
+}
+
+}  // namespace
+
+FileFrame frame_from_landmarks(const LandmarkFile& file, std::optional<double> mm_per_unit,
+                               std::optional<Mat3> axes) {
+    Landmarks landmarks = file.landmarks;
+    for (auto& [name, landmark] : landmarks) {
+        landmark.error_mm = std::min(landmark.error_mm, 10.0);
+    }
+    const Similarity to_generic = pose(landmarks);
+    FileFrame frame;
+    frame.mm_per_unit = to_generic.scale;
+    for (const char* unit : {"mm", "cm", "in", "dm", "m"}) {
+        const double known = millimetres_per_unit(unit);
+        if (to_generic.scale > known / 1.2 && to_generic.scale < known * 1.2) {
+            frame.mm_per_unit = known;
+        }
+    }
+    if (file.mm_per_unit) {
+        frame.mm_per_unit = *file.mm_per_unit;
+    }
+    if (mm_per_unit) {
+        frame.mm_per_unit = *mm_per_unit;
+    }
+    if (axes) {
+        frame.axes = *axes;
+        return frame;
+    }
+    // The quarter turn that agrees best with the pose.
+    double best = -10.0;
+    for (int code = 0; code < 6 * 8; ++code) {
+        static constexpr std::array<std::array<int, 3>, 6> kOrders{
+            {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+        Mat3 turn = Mat3::Zero();
+        for (int row = 0; row < 3; ++row) {
+            turn(row, kOrders[static_cast<std::size_t>(code / 8)][static_cast<std::size_t>(row)]) =
+                (code >> row & 1) != 0 ? -1.0 : 1.0;
+        }
+        const double agreement = (turn.transpose() * to_generic.rotation).trace();
+        if (turn.determinant() > 0.0 && agreement > best) {
+            best = agreement;
+            frame.axes = turn;
+        }
+    }
+    return frame;
+}
+
+std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
+                                          const Landmarks& given, const Progress* progress) {
+    const auto report = [&](const char* stage, double share) {
+        if (progress != nullptr) {
+            progress->report(stage, share);
+        }
+    };
+    report("Fitting the face", 0.0);
+    auto face = std::make_shared<FaceModel>();
+    face->landmarks = given;
+    face->to_generic = pose(face->landmarks);
+    if (face->to_generic.scale < 0.5 || face->to_generic.scale > 2.0) {
+        throw InvalidInput(
+            "The face would be " +
+            std::to_string(static_cast<int>(std::lround(130.0 / face->to_generic.scale))) +
+            " mm wide: give the right unit with --unit.");
+    }
+    settle_nasion(face->landmarks, face->to_generic);
+    face->axes = face->to_generic.rotation.transpose();
+    const auto prn = face->landmarks.count("prn") != 0 ? face->landmarks["prn"]
+                                                       : face->landmarks.at("sn");
+    face->skin = main_part(*scan, prn.position);
+    face->scan = std::move(scan);
+    const TriangleMesh& mesh = face->skin.mesh;
+    if (mesh.triangle_count() < 100) {
+        throw InvalidInput("The scan has too few triangles to be a face.");
+    }
+    const Bvh bvh(mesh);
+    check_near(face->landmarks, mesh, bvh);
+    face->adjacency = std::make_shared<Adjacency>(mesh);
+    face->area = vertex_areas(mesh);
+    report("Fitting the face", 0.2);
+
+    const Pairs pairs = common_landmarks(face->landmarks);
+    Points in_pose(3, pairs.scan.cols());
+    for (Eigen::Index i = 0; i < in_pose.cols(); ++i) {
+        in_pose.col(i) = face->to_generic(Vec3(pairs.scan.col(i)));
+    }
+    const SmoothWarp to_average(in_pose, pairs.generic, pairs.errors, kWarpSoftness);
+    const SmoothWarp from_average(pairs.generic, in_pose, pairs.errors, kWarpSoftness);
+    const Mat3 turn = face->to_generic.scale * face->to_generic.rotation;
+    face->generic =
+        to_average(Points((turn * mesh.vertices).colwise() + face->to_generic.shift));
+    report("Fitting the face", 0.5);
+
+    const Points normals = vertex_normals(mesh, *face->adjacency);
+    const Points smooth_normals = smoothed_face_normals(mesh, *face->adjacency);
+    const Eigen::VectorXd depths = tissue_depths(face->generic);
+    for (int v = 0; v < face->node_count(); ++v) {
+        const bool inward = normals.col(v).dot(smooth_normals.col(v)) < 0.0;
+        face->tissue.push_back(tissue_at(face->generic.col(v),
+                                         depths[v] / face->to_generic.scale, inward));
+    }
+    face->sliding = sliding_surfaces(mesh, *face->adjacency, smooth_normals);
+    report("Fitting the face", 0.7);
+
+    const Similarity back = face->to_generic.inverse();
+    place_muscles(*face, bvh, smooth_normals,
+                  [&](const Vec3& p) { return back(from_average(p)); });
+    label_skin(*face);
+    face->bone = bone_surface(*face, smooth_normals);
+    face->lip_contacts = find_lip_contacts(*face);
+    report("Fitting the face", 1.0);
+    return face;
+}
+
+std::string muscles_to_json(const FaceModel& face) {
+    nlohmann::json list = nlohmann::json::object();
+    const FileFrame& frame = face.scan->frame;
+    for (const Muscle& muscle : face.muscles) {
+        nlohmann::json points = nlohmann::json::array();
+        for (Eigen::Index i = 0; i < muscle.path.cols(); ++i) {
+            const Vec3 p = frame.to_file(muscle.path.col(i));
+            points.push_back({p.x(), p.y(), p.z()});
+        }
+        const bool linear = muscle.traits.kind == MuscleKind::Linear;
+        if (!linear) {
+            points.push_back(points.front());
+        }
+        list[muscle.traits.name] = {{"kind", linear ? "linear" : "sphincter"},
+                                    {"points", points}};
+    }
+    nlohmann::json document;
+    const std::string unit = unit_name(frame.mm_per_unit);
+    document["unit"] = unit == "other" ? nlohmann::json(frame.mm_per_unit) : nlohmann::json(unit);
+    document["muscles"] = list;
+    return document.dump(1) + "\n";
+}
+
+}  // namespace myoface

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/face/muscle_atlas.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include <nlohmann/json.hpp>
+
+#include "myoface/base/error.h"
+#include "myoface/base/resources.h"
+#include "myoface/io/text_file.h"
+
+namespace myoface {
+namespace {
+
+using nlohmann::json;
+
+AtlasMuscle parse_muscle(const json& entry) {
+    static const std::map<std::string, MuscleZone> kZones{{"all", MuscleZone::All},
+                                                          {"upper_lip", MuscleZone::UpperLip},
+                                                          {"lower_lip", MuscleZone::LowerLip},
+                                                          {"brow", MuscleZone::Brow},
+                                                          {"nose", MuscleZone::Nose}};
+    AtlasMuscle muscle;
+    MuscleTraits& t = muscle.traits;
+    t.base_name = t.name = entry.at("id").get<std::string>();
+    t.title = entry.at("title").get<std::string>();
+    t.title_ja = entry.at("title_ja").get<std::string>();
+    t.group = entry.at("group").get<std::string>();
+    t.action_unit = entry.at("action_unit").get<std::string>();
+    t.kind = entry.at("kind") == "sphincter" ? MuscleKind::Sphincter : MuscleKind::Linear;
+    t.zone = kZones.at(entry.at("zone").get<std::string>());
+    if (t.kind == MuscleKind::Linear) {
+        t.half_angle = entry.at("half_angle_deg").get<double>() * std::numbers::pi / 180.0;
+        t.falloff_start = entry.at("falloff_start").get<double>();
+        t.falloff_end = entry.at("falloff_end").get<double>();
+    } else {
+        t.forward = entry.at("forward").get<double>();
+    }
+    t.pull = entry.at("pull_mm").get<double>();
+    t.strength = entry.at("strength_N").get<double>();
+    t.gain = entry.at("gain").get<double>();
+    const json& path = entry.at("path");
+    muscle.path.resize(3, static_cast<Eigen::Index>(path.size()));
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            muscle.path(axis, static_cast<Eigen::Index>(i)) =
+                path[i].at(static_cast<std::size_t>(axis)).get<double>();
+        }
+    }
+    if (muscle.path.cols() < 2) {
+        throw IoError("assets/muscles.json: " + t.name + " has no path.");
+    }
+    return muscle;
+}
+
+AtlasMuscle on_side(const AtlasMuscle& left, Side side) {
+    AtlasMuscle muscle = left;
+    muscle.traits.side = side;
+    muscle.traits.name += side == Side::Left ? ".L" : ".R";
+    if (side == Side::Right) {
+        muscle.path.row(0) *= -1.0;
+        if (muscle.traits.kind == MuscleKind::Sphincter) {
+            muscle.path = muscle.path.rowwise().reverse().eval();  // same sense of turning
+        }
+    }
+    return muscle;
+}
+
+MuscleAtlas load() {
+    const json document =
+        json::parse(read_file(resource_path("assets/muscles.json")), nullptr, false);
+    try {
+        MuscleAtlas atlas;
+        for (const json& entry : document.at("muscles")) {
+            const AtlasMuscle muscle = parse_muscle(entry);
+            if (entry.at("side") == "paired") {
+                atlas.push_back(on_side(muscle, Side::Left));
+                atlas.push_back(on_side(muscle, Side::Right));
+            } else {
+                atlas.push_back(muscle);
+            }
+        }
+        return atlas;
+    } catch (const std::exception& error) {
+        throw IoError(std::string("assets/muscles.json is damaged: ") + error.what());
+    }
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
+            diagonal = above;
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+const MuscleAtlas& muscle_atlas() {
+    static const MuscleAtlas kAtlas = load();
+    return kAtlas;
+}
+
+std::vector<int> muscles_named(const std::string& name) {
+    const MuscleAtlas& atlas = muscle_atlas();
+    std::vector<int> found;
+    for (std::size_t m = 0; m < atlas.size(); ++m) {
+        if (name == atlas[m].traits.name || name == atlas[m].traits.base_name) {
+            found.push_back(static_cast<int>(m));
+        }
+    }
+    if (!found.empty()) {
+        return found;
+    }
+    const auto nearest =
+        std::min_element(atlas.begin(), atlas.end(), [&](const auto& p, const auto& q) {
+            return edit_distance(name, p.traits.base_name) <
+                   edit_distance(name, q.traits.base_name);
+        });
+    throw InvalidInput("There is no muscle '" + name + "'; the nearest name is '" +
+                       nearest->traits.base_name + "' (with .L or .R for one side).");
+}
+
+}  // namespace myoface

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/physics/equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "myoface/base/parallel.h"
+#include "myoface/physics/euler.h"
+#include "node_force.h"
+
+namespace myoface {
+namespace {
+
+constexpr int kGrain = 384;
+constexpr int kMassesEvery = 40;       // iterations
+constexpr double kMassSafety = 1.15;   // over Gershgorin's bound for a unit step
+constexpr double kRunaway = 200.0;     // no tissue moves that far [mm]
+
+/// What a chunk of nodes adds to the sums of one iteration, in fixed order.
+struct ChunkSums {
+    double residual = 0.0;
+    double curvature = 0.0;  // −v·ΔF
+    double kinetic = 0.0;    // v·M v
+    double step = 0.0;       // largest squared
+};
+
+struct NodeUpdate {
+    Vec3 velocity, position;
+};
+
+/// Velocity and position after one unit step under force f.
+NodeUpdate stepped(const Vec3& x, const Vec3& v, const Vec3& f, double mass, double damping) {
+    const Vec3 velocity = ((2.0 - damping) * v + (2.0 / mass) * f) / (2.0 + damping);
+    return {velocity, x + velocity};
+}
+
+}  // namespace
+
+EquilibriumSolver::EquilibriumSolver(const MassSpringModel& model) : model_(model) {}
+
+void EquilibriumSolver::restart() { warm_ = false; }
+
+void EquilibriumSolver::scale_masses(const MassSpringState& state, const Drive& drive,
+                                     std::span<const HandPull> pulls) {
+    // A unit step is stable while ω² = Σ|K|/M stays below 4.
+    mass_ = kMassSafety / 4.0 * stiffness_row_sums(model_, state.positions, drive);
+    for (const HandPull& pull : pulls) {
+        for (std::size_t k = 0; k < pull.nodes.size(); ++k) {
+            mass_[pull.nodes[k]] += kMassSafety / 4.0 * pull.stiffness * pull.weights[k];
+        }
+    }
+    mass_ = mass_.cwiseMax(1e-9);
+    if (state.layer.cols() > 0) {
+        layer_mass_.resize(model_.skin_nodes);
+        const LinearStiffness& links = model_.layer.links;
+        for (int i = 0; i < model_.skin_nodes; ++i) {
+            const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
+            double sum = model_.ties[i].tether * (1.0 + 2.0 * boost);
+            for (int e = links.start[i]; e < links.start[i + 1]; ++e) {
+                sum += std::abs(links.value[e]);
+            }
+            layer_mass_[i] = std::max(kMassSafety / 4.0 * sum, 1e-9);
+            mass_[i] += kMassSafety / 4.0 * model_.ties[i].tether * boost;
+        }
+    }
+}
+
+Eigen::Vector2d EquilibriumSolver::pull_force(const Points& x, const HandPull& pull) const {
+    if (pull.force) {
+        return *pull.force;
+    }
+    Vec3 grip = Vec3::Zero();
+    for (std::size_t k = 0; k < pull.grip_nodes.size(); ++k) {
+        grip += pull.grip_weights[k] * x.col(pull.grip_nodes[k]);
+    }
+    const Eigen::Vector2d gap = pull.target - pull.plane.transpose() * grip;
+    const double distance = gap.norm();
+    if (!(distance > 0.0)) {
+        return Eigen::Vector2d::Zero();
+    }
+    const double size = pull.largest * std::tanh(pull.stiffness * distance / pull.largest);
+    return size / distance * gap;
+}
+
+double EquilibriumSolver::advance(const MassSpringState& state, const Drive& drive,
+                                  std::span<const HandPull> pulls, bool layer) {
+    const int n = model_.node_count();
+    const int chunks = (n + kGrain - 1) / kGrain;
+    const Points& x = state.positions;
+    std::vector<ChunkSums> sums(static_cast<std::size_t>(2 * chunks));
+    parallel_for(n, kGrain, [&](int begin, int end) {
+        ChunkSums sum;
+        for (int i = begin; i < end; ++i) {
+            if (model_.fixed[i] != 0) {
+                next_.col(i) = x.col(i);
+                continue;
+            }
+            const Vec3 f = node_force(model_, x, state.layer, drive, i);
+            const Vec3 v = velocity_.col(i);
+            sum.residual += f.squaredNorm();
+            sum.curvature += v.dot(last_force_.col(i) - f);
+            sum.kinetic += mass_[i] * v.squaredNorm();
+            const NodeUpdate update = stepped(x.col(i), v, f, mass_[i], damping_);
+            force_.col(i) = f;
+            velocity_.col(i) = update.velocity;
+            next_.col(i) = update.position;
+            sum.step = std::max(sum.step, update.velocity.squaredNorm());
+        }
+        sums[begin / kGrain] = sum;
+    });
+    if (layer) {
+        parallel_for(model_.skin_nodes, kGrain, [&](int begin, int end) {
+            ChunkSums sum;
+            for (int i = begin; i < end; ++i) {
+                if (model_.fixed[i] != 0) {
+                    continue;
+                }
+                const Vec3 f = layer_node_force(model_, x, state.layer, drive, i);
+                const Vec3 v = layer_velocity_.col(i);
+                sum.residual += f.squaredNorm();
+                sum.curvature += v.dot(layer_last_force_.col(i) - f);
+                sum.kinetic += layer_mass_[i] * v.squaredNorm();
+                const NodeUpdate update =
+                    stepped(state.layer.col(i), v, f, layer_mass_[i], damping_);
+                layer_force_.col(i) = f;
+                layer_velocity_.col(i) = update.velocity;
+                layer_next_.col(i) = update.position;
+                sum.step = std::max(sum.step, update.velocity.squaredNorm());
+            }
+            sums[chunks + begin / kGrain] = sum;
+        });
+    }
+    ChunkSums total;
+    for (const ChunkSums& sum : sums) {
+        total.residual += sum.residual;
+        total.curvature += sum.curvature;
+        total.kinetic += sum.kinetic;
+        total.step = std::max(total.step, sum.step);
+    }
+    residual_ = total.residual;
+    for (const HandPull& pull : pulls) {
+        total.step = std::max(total.step, apply_pull(x, pull, layer));
+    }
+    // The damping that is critical for the slowest motion seen in the last step.
+    if (total.kinetic > 0.0) {
+        const double slowest = std::clamp(total.curvature / total.kinetic, 0.0, 0.9);
+        damping_ = std::clamp(2.0 * std::sqrt(slowest), 0.004, 1.9);
+    }
+    last_force_.swap(force_);
+    layer_last_force_.swap(layer_force_);
+    return std::sqrt(total.step);
+}
+
+double EquilibriumSolver::apply_pull(const Points& x, const HandPull& pull, bool layer) {
+    const Vec3 f = pull.plane * pull_force(x, pull);
+    hand_forces_.push_back(f);
+    double step = 0.0;
+    const auto push = [&](const std::vector<int>& nodes, const std::vector<double>& weights,
+                          double share, const Points& inner, Points& velocity, Points& next,
+                          const Eigen::VectorXd& mass) {
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            const int i = nodes[k];
+            if (model_.fixed[i] != 0) {
+                continue;
+            }
+            const Vec3 part = share * weights[k] * f;
+            residual_ += (inner.col(i) + part).squaredNorm() - inner.col(i).squaredNorm();
+            const Vec3 kick = 2.0 / (mass[i] * (2.0 + damping_)) * part;
+            velocity.col(i) += kick;
+            next.col(i) += kick;
+            step = std::max(step, velocity.col(i).squaredNorm());
+        }
+    };
+    push(pull.nodes, pull.weights, pull.skin_share, force_, velocity_, next_, mass_);
+    if (layer && pull.layer_share > 0.0) {
+        push(pull.layer_nodes, pull.layer_weights, pull.layer_share, layer_force_, layer_velocity_,
+             layer_next_, layer_mass_);
+    }
+    return step;
+}
+
+void EquilibriumSolver::hold(const Handle& handle) {
+    double compliance = 0.0;  // Σ w²/M
+    Vec3 centre = Vec3::Zero();
+    for (std::size_t k = 0; k < handle.nodes.size(); ++k) {
+        const int i = handle.nodes[k];
+        centre += handle.weights[k] * next_.col(i);
+        if (model_.fixed[i] == 0) {
+            compliance += handle.weights[k] * handle.weights[k] / mass_[i];
+        }
+    }
+    if (!(compliance > 0.0)) {
+        return;
+    }
+    const Vec3 error = handle.plane * (handle.target - handle.plane.transpose() * centre);
+    for (std::size_t k = 0; k < handle.nodes.size(); ++k) {
+        const int i = handle.nodes[k];
+        if (model_.fixed[i] == 0) {
+            const Vec3 move = handle.weights[k] / (mass_[i] * compliance) * error;
+            next_.col(i) += move;
+            velocity_.col(i) += move;
+        }
+    }
+    const Vec3 reaction = 0.5 * (2.0 + damping_) / compliance * error;
+    hand_forces_.push_back(reaction);
+    // The held nodes are not out of balance by what the hand holds.
+    for (std::size_t k = 0; k < handle.nodes.size(); ++k) {
+        const int i = handle.nodes[k];
+        if (model_.fixed[i] == 0) {
+            const Vec3 f = last_force_.col(i);
+            residual_ += (f + handle.weights[k] * reaction).squaredNorm() - f.squaredNorm();
+        }
+    }
+}
+
+RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
+                                     const RelaxOptions& options, std::span<const Handle> handles,
+                                     std::span<const HandPull> pulls) {
+    const int n = model_.node_count();
+    const bool layer = state.layer.cols() > 0;
+    if (!warm_ || velocity_.cols() != n || (layer && layer_velocity_.cols() == 0)) {
+        velocity_ = Points::Zero(3, n);
+        last_force_ = force_ = Points::Zero(3, n);
+        next_ = state.positions;
+        layer_velocity_ = layer_force_ = layer_last_force_ =
+            Points::Zero(3, layer ? model_.skin_nodes : 0);
+        layer_next_ = state.layer;
+        damping_ = 0.1;
+        warm_ = true;
+    }
+    const Points good = state.positions;
+    const Points good_layer = state.layer;
+    RelaxReport report;
+    int still = 0;
+    for (int k = 0; k < options.iterations; ++k) {
+        if (k % kMassesEvery == 0) {
+            scale_masses(state, drive, pulls);
+        }
+        hand_forces_.clear();
+        report.last_step = advance(state, drive, pulls, layer);
+        for (const Handle& handle : handles) {
+            hold(handle);
+        }
+        state.positions.swap(next_);
+        if (layer) {
+            state.layer.swap(layer_next_);
+        }
+        ++report.iterations;
+        if (!(report.last_step < kRunaway)) {
+            state.positions = good;
+            state.layer = good_layer;
+            report.finite = false;
+            restart();
+            break;
+        }
+        still = report.last_step < options.still_mm ? still + 1 : 0;
+        if (still >= 3) {
+            report.converged = true;
+            break;
+        }
+    }
+    report.residual = std::sqrt(std::max(residual_, 0.0) / std::max(n, 1));
+    return report;
+}
+
+}  // namespace myoface

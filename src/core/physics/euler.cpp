@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/physics/euler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "myoface/physics/forces.h"
+#include "node_force.h"
+
+namespace myoface {
+namespace {
+
+constexpr double kSafety = 0.9;
+
+/// F/m per node, zero where fixed.
+Points accelerations(const MassSpringModel& model, const MassSpringState& state,
+                     const Drive& drive) {
+    Points a = total_forces(model, state, drive, true);
+    for (int i = 0; i < model.node_count(); ++i) {
+        if (model.fixed[i] != 0) {
+            a.col(i).setZero();
+        } else {
+            a.col(i) /= model.mass[i];
+        }
+    }
+    return a;
+}
+
+}  // namespace
+
+void explicit_euler_step(const MassSpringModel& model, MassSpringState& state, const Drive& drive,
+                         double step) {
+    const Points a = accelerations(model, state, drive);
+    state.positions += step * state.velocities;
+    state.velocities += step * a;
+}
+
+void symplectic_euler_step(const MassSpringModel& model, MassSpringState& state,
+                           const Drive& drive, double step) {
+    state.velocities += step * accelerations(model, state, drive);
+    state.positions += step * state.velocities;
+}
+
+Eigen::VectorXd stiffness_row_sums(const MassSpringModel& model, const Points& positions,
+                                   const Drive& drive) {
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(model.node_count());
+    for (int i = 0; i < model.node_count(); ++i) {
+        double sum = 0.0;
+        for (int e = model.spring_start[i]; e < model.spring_start[i + 1]; ++e) {
+            const SpringEnd& spring = model.spring_ends[e];
+            double k = spring.stiffness;
+            if (spring.stiffening > 0.0) {
+                const double natural = natural_length(spring.length, drive, spring.spring);
+                const double distance =
+                    (positions.col(i) - positions.col(spring.other)).norm();
+                const double over =
+                    std::max(std::abs(distance / natural - 1.0) - kStiffeningStart, 0.0);
+                k *= 1.0 + 2.0 * spring.stiffening * over;
+            }
+            sum += 2.0 * k;
+        }
+        for (int e = model.linear.start[i]; e < model.linear.start[i + 1]; ++e) {
+            sum += std::abs(model.linear.value[e]);
+        }
+        const Tie& tie = model.ties[i];
+        const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
+        sum += std::max(tie.thickness, tie.tether * boost) + tie.anchor;
+        if (model.contact_of[i] >= 0) {
+            sum += 2.0 * model.contacts[model.contact_of[i]].stiffness;
+        }
+        sums[i] = sum;
+    }
+    return sums;
+}
+
+double stable_time_step(const MassSpringModel& model, Integrator integrator) {
+    const Eigen::VectorXd sums = stiffness_row_sums(model, model.rest, {});
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < model.node_count(); ++i) {
+        if (model.fixed[i] != 0) {
+            continue;
+        }
+        const double square = sums[i] / model.mass[i];  // ω²
+        if (!(square > 0.0)) {
+            continue;
+        }
+        const double own = model.ties[i].damping / model.mass[i];
+        double damping = model.ties[i].damping;
+        for (int e = model.spring_start[i]; e < model.spring_start[i + 1]; ++e) {
+            damping += 2.0 * model.springs[model.spring_ends[e].spring].damping;
+        }
+        const double rate = damping / model.mass[i];
+        if (integrator == Integrator::ExplicitEuler) {
+            // Only damping that every motion of the node feels can be counted on; too much of it
+            // limits the step in its own way.
+            least = std::min({least, own / square, rate > 0.0 ? 1.0 / rate : 0.0});
+            continue;
+        }
+        least = std::min(least, (std::sqrt(rate * rate + 4.0 * square) - rate) / square);
+    }
+    return std::isfinite(least) ? kSafety * least : 1e-3;
+}
+
+}  // namespace myoface

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "myoface/physics/mass_spring_model.h"
+
+namespace myoface {
+
+constexpr double kStiffeningStart = 0.2;  // strain
+
+/// Tension of a stretched spring per unit of length, so that the force on a is −ratio · (x_a − x_b).
+template <typename AnySpring>
+double tension_ratio(const AnySpring& spring, double distance, double natural) {
+    if (!(distance > 0.0)) {
+        return 0.0;
+    }
+    double tension = spring.stiffness * (distance - natural);
+    if (spring.stiffening > 0.0 && natural > 0.0) {
+        const double strain = distance / natural - 1.0;
+        const double over = std::abs(strain) - kStiffeningStart;
+        if (over > 0.0) {
+            tension += std::copysign(
+                spring.stiffness * natural * spring.stiffening * over * over, strain);
+        }
+    }
+    return tension / distance;
+}
+
+inline double natural_length(double length, const Drive& drive, int spring) {
+    return drive.length_factor.empty() ? length : length * drive.length_factor[spring];
+}
+
+/// Elastic force on one node: everything but dampers. `x` are positions, `layer` may be 3×0.
+inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Points& layer,
+                       const Drive& drive, int i) {
+    const Vec3 at = x.col(i);
+    Vec3 force = Vec3::Zero();
+    for (int e = model.spring_start[i]; e < model.spring_start[i + 1]; ++e) {
+        const SpringEnd& end = model.spring_ends[e];
+        const Vec3 r = at - x.col(end.other);
+        force -= tension_ratio(end, r.norm(), natural_length(end.length, drive, end.spring)) * r;
+    }
+    for (int e = model.linear.start[i]; e < model.linear.start[i + 1]; ++e) {
+        const int j = model.linear.column[e];
+        force -= model.linear.value[e] * (x.col(j) - model.rest.col(j));
+    }
+    const Tie& tie = model.ties[i];
+    const Vec3 delta = at - model.rest.col(i);
+    if (tie.thickness > 0.0) {
+        const Vec3 bent = tie.curvature * delta;
+        const double wanted = drive.height.size() > 0 ? drive.height[i] : 0.0;
+        const double height = tie.normal.dot(delta) + 0.5 * delta.dot(bent) - wanted;
+        force -= tie.thickness * height * (tie.normal + bent);
+    }
+    if (tie.tether > 0.0) {
+        Vec3 side = delta;
+        if (drive.shift.cols() > 0) {
+            side -= drive.shift.col(i);
+        }
+        if (layer.cols() > 0 && i < model.skin_nodes) {
+            side -= layer.col(i);
+        }
+        side -= side.dot(tie.normal) * tie.normal;
+        const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
+        force -= tie.tether * boost * side;
+    }
+    force -= tie.anchor * delta;
+    const int c = model.contact_of[i];
+    if (c >= 0) {
+        const Contact& contact = model.contacts[c];
+        const double gap =
+            contact.normal.dot(x.col(contact.a) - x.col(contact.b)) - contact.gap;
+        if (gap < 0.0) {
+            force += (i == contact.a ? -1.0 : 1.0) * contact.stiffness * gap * contact.normal;
+        }
+    }
+    force += model.mass[i] * (drive.gravity - model.rest_gravity);
+    if (drive.load.cols() > 0) {
+        force += drive.load.col(i);
+    }
+    return force;
+}
+
+/// Force on the muscle layer under one skin node.
+inline Vec3 layer_node_force(const MassSpringModel& model, const Points& x, const Points& layer,
+                             const Drive& drive, int i) {
+    const Tie& tie = model.ties[i];
+    const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
+    Vec3 side = x.col(i) - model.rest.col(i) - layer.col(i);
+    if (drive.shift.cols() > 0) {
+        side -= drive.shift.col(i);
+    }
+    side -= side.dot(tie.normal) * tie.normal;
+    Vec3 force = tie.tether * boost * side - tie.tether * layer.col(i);
+    const LinearStiffness& links = model.layer.links;
+    for (int e = links.start[i]; e < links.start[i + 1]; ++e) {
+        force -= links.value[e] * layer.col(links.column[e]);
+    }
+    if (drive.layer_load.cols() > 0) {
+        force += drive.layer_load.col(i);
+    }
+    return force;
+}
+
+}  // namespace myoface

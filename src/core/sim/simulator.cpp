@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/sim/simulator.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+#include "myoface/base/error.h"
+#include "myoface/physics/euler.h"
+#include "myoface/physics/forces.h"
+#include "myoface/sim/snapshot.h"
+
+namespace myoface {
+namespace {
+
+constexpr int kMostSweeps = 12000;
+constexpr int kMostTimeSteps = 400000;
+constexpr double kStillSpeed = 0.02;  // a tissue slower than this is at rest [mm/s]
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+}  // namespace
+
+std::string solver_name(SolverKind kind) {
+    switch (kind) {
+        case SolverKind::SymplecticEuler:
+            return "symplectic";
+        case SolverKind::ExplicitEuler:
+            return "explicit";
+        default:
+            return "equilibrium";
+    }
+}
+
+Simulator::Simulator(std::shared_ptr<const FaceModel> face, const SimulatorOptions& options)
+    : face_(std::move(face)),
+      options_(options),
+      skin_rest_(face_->skin.mesh.vertices),
+      contractions_(resting(*face_)) {
+    rebuild();
+    responses_ = muscle_responses(*face_, system_->model, options_.response);
+    state_ = rest_state(system_->model);
+    refresh_drive();
+}
+
+Simulator::~Simulator() = default;
+
+/// A new model on the present rest; the state is left alone.
+void Simulator::rebuild() {
+    drag_.reset();
+    solver_.reset();
+    system_ = std::make_unique<FaceMassSpring>(
+        build_mass_spring(*face_, skin_rest_, options_.tissue));
+    system_->model.rest_gravity = kUprightGravity;
+    validate(system_->model);
+    solver_ = std::make_unique<EquilibriumSolver>(system_->model);
+    time_step_ = 0.0;
+}
+
+void Simulator::refresh_drive() {
+    drive_ = contraction_drive(*system_, responses_, contractions_);
+    drive_.gravity = kUprightGravity;
+}
+
+void Simulator::set_contraction(int muscle, double rate) {
+    if (!(rate >= kLeastContraction && rate <= kMostContraction)) {
+        throw InvalidInput("The contraction of " + face_->muscles[muscle].traits.name +
+                           " must lie between -0.5 and 1.");
+    }
+    contractions_.rate[muscle] = rate;
+    refresh_drive();
+}
+
+void Simulator::set_strength(int muscle, double strength) {
+    if (!(strength >= 0.0 && strength <= 1.0)) {
+        throw InvalidInput("The strength of " + face_->muscles[muscle].traits.name +
+                           " must lie between 0 and 1.");
+    }
+    contractions_.strength[muscle] = strength;
+    refresh_drive();
+}
+
+void Simulator::set_skin_rest(const Points& skin_rest) {
+    if (skin_rest.cols() != face_->node_count() || !skin_rest.allFinite()) {
+        throw InvalidInput("The shape to set does not belong to this face.");
+    }
+    // Muscles in action stay in action: carry the present displacement over.
+    const Points displacement = state_.positions - system_->model.rest;
+    skin_rest_ = skin_rest;
+    rebuild();
+    state_.positions = system_->model.rest + displacement;
+    state_.velocities.setZero();
+    state_.layer.resize(3, 0);
+    refresh_drive();
+}
+
+void Simulator::begin_drag(const DragRequest& request, const ViewRay& ray) {
+    const Grip grip = grip_at(*face_, request.where);
+    const bool moves = std::any_of(grip.nodes.begin(), grip.nodes.end(),
+                                   [&](int i) { return system_->model.fixed[i] == 0; });
+    if (!moves) {
+        throw InvalidInput("This part of the scan does not move: grip the face itself.");
+    }
+    before_drag_ = state_.positions;
+    drag_ = std::make_unique<SkinDrag>(*face_, *system_, request, ray, state_.positions);
+}
+
+void Simulator::move_drag(const ViewRay& ray) {
+    if (drag_) {
+        drag_->move_to(ray);
+    }
+}
+
+const StressKernel* Simulator::drag_kernel() const { return drag_ ? &drag_->kernel() : nullptr; }
+
+DragReport Simulator::end_drag(bool keep) {
+    if (!drag_) {
+        return {};
+    }
+    const DragReport report = drag_->report(state_, drive_, true);
+    if (keep && report.mode == DragMode::MousePriority) {
+        const Points moved = state_.positions - before_drag_;
+        skin_rest_ += moved.leftCols(face_->node_count());
+        const Points shown = state_.positions;
+        rebuild();
+        state_.positions = shown;
+        // The chains follow the reshaped skin; what is left of their motion is contraction.
+        state_.positions.rightCols(shown.cols() - face_->node_count()) =
+            before_drag_.rightCols(shown.cols() - face_->node_count());
+    } else {
+        drag_.reset();
+        solver_->restart();
+    }
+    state_.layer.resize(3, 0);
+    refresh_drive();
+    return report;
+}
+
+StepReport Simulator::step(int iterations) {
+    const auto start = std::chrono::steady_clock::now();
+    StepReport report;
+    if (options_.solver != SolverKind::Equilibrium && !drag_) {
+        report = integrate(false, iterations);
+    } else {
+        RelaxReport relaxed;
+        if (drag_) {
+            relaxed = drag_->update(*solver_, state_, drive_, iterations);
+            report.drag = drag_->report(state_, drive_, false);
+        } else {
+            RelaxOptions options;
+            options.iterations = iterations;
+            relaxed = solver_->relax(state_, drive_, options);
+        }
+        report.iterations = relaxed.iterations;
+        report.residual = relaxed.residual;
+        report.converged = relaxed.converged;
+        report.finite = relaxed.finite;
+    }
+    report.solver = solver_name(options_.solver);
+    fill_motion(report);
+    report.milliseconds = milliseconds_since(start);
+    return report;
+}
+
+StepReport Simulator::settle() {
+    const auto start = std::chrono::steady_clock::now();
+    StepReport report;
+    if (options_.solver != SolverKind::Equilibrium && !drag_) {
+        report = integrate(true, kMostTimeSteps);
+    } else {
+        RelaxReport relaxed;
+        if (drag_) {
+            relaxed = drag_->settle(*solver_, state_, drive_);
+            report.drag = drag_->report(state_, drive_, true);
+        } else {
+            RelaxOptions options;
+            options.iterations = kMostSweeps;
+            relaxed = solver_->relax(state_, drive_, options);
+        }
+        report.iterations = relaxed.iterations;
+        report.residual = relaxed.residual;
+        report.converged = relaxed.converged;
+        report.finite = relaxed.finite;
+    }
+    report.solver = solver_name(options_.solver);
+    fill_motion(report);
+    report.milliseconds = milliseconds_since(start);
+    return report;
+}
+
+StepReport Simulator::integrate(bool to_rest, int steps) {
+    const bool is_explicit = options_.solver == SolverKind::ExplicitEuler;
+    if (time_step_ == 0.0) {
+        time_step_ = stable_time_step(system_->model, is_explicit ? Integrator::ExplicitEuler
+                                                                  : Integrator::SymplecticEuler);
+    }
+    StepReport report;
+    const MassSpringState good = state_;
+    for (int k = 0; k < steps; ++k) {
+        if (is_explicit) {
+            explicit_euler_step(system_->model, state_, drive_, time_step_);
+        } else {
+            symplectic_euler_step(system_->model, state_, drive_, time_step_);
+        }
+        ++report.iterations;
+        if (k % 100 != 99) {
+            continue;
+        }
+        const double fastest = state_.velocities.cwiseAbs().maxCoeff();
+        if (!(fastest < 1e7)) {
+            state_ = good;
+            report.finite = false;
+            break;
+        }
+        if (to_rest && fastest < kStillSpeed) {
+            const Points forces = total_forces(system_->model, state_, drive_, false);
+            report.converged = true;
+            report.residual = std::sqrt(forces.squaredNorm() / forces.cols());
+            break;
+        }
+    }
+    return report;
+}
+
+void Simulator::fill_motion(StepReport& report) const {
+    const int n = face_->node_count();
+    const Points moved =
+        state_.positions.leftCols(n) - face_->skin.mesh.vertices;
+    report.max_displacement_mm = std::sqrt(moved.colwise().squaredNorm().maxCoeff());
+    for (const Spring& spring : system_->model.springs) {
+        if (spring.a >= n || spring.b >= n ||
+            std::min(system_->strain_limit[spring.a], system_->strain_limit[spring.b]) > 1e6) {
+            continue;
+        }
+        const double distance =
+            (state_.positions.col(spring.a) - state_.positions.col(spring.b)).norm();
+        report.max_strain = std::max(report.max_strain, std::abs(distance / spring.length - 1.0));
+    }
+}
+
+Points scan_positions(const FaceModel& face, const Points& node_positions) {
+    Points result = face.scan->mesh.vertices;
+    for (int v = 0; v < face.scan->mesh.vertex_count(); ++v) {
+        const int node = face.skin.of_vertex[v];
+        if (node >= 0) {
+            result.col(v) += node_positions.col(node) - face.skin.mesh.vertices.col(node);
+        }
+    }
+    return result;
+}
+
+Points Simulator::scan_vertices() const { return scan_positions(*face_, state_.positions); }
+
+std::uint64_t Simulator::state_hash() const {
+    std::uint64_t hash = 1469598103934665603ULL;
+    for (Eigen::Index i = 0; i < state_.positions.size(); ++i) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, state_.positions.data() + i, sizeof bits);
+        for (int byte = 0; byte < 8; ++byte) {
+            hash = (hash ^ (bits >> (8 * byte) & 0xFF)) * 1099511628211ULL;
+        }
+    }
+    return hash;
+}
+
+}  // namespace myoface
