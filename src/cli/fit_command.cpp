@@ -27,7 +27,9 @@ void add_fit(CLI::App& app) {
     command->callback([a] {
         const OpenedFace opened = a->face.open();
         const auto simulator = make_simulator(opened);
-        write_case(a->output, opened, simulator.get());
+        write_case(a->output, opened,
+                   case_state(simulator->face(), simulator->contractions(),
+                              simulator->skin_rest()));
         if (!a->muscles.empty()) {
             write_text(a->muscles, muscles_to_json(simulator->face()));
         }

@@ -32,6 +32,7 @@ struct OpenedFace {
 
 struct OpenOptions {
     std::optional<std::filesystem::path> landmarks;
+    std::optional<LandmarkFile> placed;  ///< landmarks from somewhere else than a file
     std::optional<double> mm_per_unit;
     std::optional<Mat3> axes;
 };
@@ -49,9 +50,17 @@ std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened,
                                           const SimulatorOptions& options = {},
                                           const Progress* progress = nullptr);
 
+/// What the user made of a face, as a case keeps it.
+struct CaseState {
+    std::map<std::string, double> rates, strengths;  ///< only those off rest
+    Points shape;                                    ///< displacement of the resting skin, or 3×0
+};
+CaseState case_state(const FaceModel& face, const Contractions& contractions,
+                     const Points& skin_rest);
+
 /// Writes a case: a zip with manifest.json (schema 1), the scan byte for byte, its texture and the
 /// shape of the skin. The file appears whole or not at all. @throws IoError
 void write_case(const std::filesystem::path& file, const OpenedFace& opened,
-                const Simulator* simulator);
+                const CaseState& state);
 
 }  // namespace myoface

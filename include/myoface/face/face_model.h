@@ -21,6 +21,7 @@ namespace myoface {
 struct Muscle {
     MuscleTraits traits;
     Points path;         ///< 3×P: linear: bone end … skin end; sphincter: closed ring
+    Points outward;      ///< 3×P: normal of the face over each point
     double length = 0.0; ///< of a linear muscle's path, or around a ring
     Vec3 axis = Vec3::UnitZ();  ///< sphincter: normal of the ring, out of the face
     Vec3 wide = Vec3::UnitX();  ///< sphincter: direction of the longer semi-axis

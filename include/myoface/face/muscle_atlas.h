@@ -34,6 +34,7 @@ struct MuscleTraits {
     double half_angle = 0.6;      ///< Ω of the sector [rad]
     double falloff_start = 0.9;   ///< R_s as a share of the muscle's length
     double falloff_end = 1.4;     ///< R_f likewise
+    double breadth = 8.0;         ///< of the belly [mm]
     double pull = 6.0;            ///< skin end's way at full contraction [mm]
     double gain = 1.0;            ///< target shift per wanted way, calibrated after relaxation
     double strength = 1.0;        ///< tension at full contraction [N]

@@ -38,8 +38,12 @@ struct TissueProperties {
 };
 
 /// Tissue at a place of the average head. @param p generic coordinates [mm]
-/// @param faces_inward the node's normal opposes the smoothed face (nostrils, inner lips)
+/// @param faces_inward an inner surface: nostril, inner lip, mouth bag
 TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward);
+
+/// Does a surface point look into the head: mouth bag, nostril, eye socket?
+/// @param p generic coordinates [mm] @param normal outward normal in generic axes
+bool looks_inward(const Vec3& p, const Vec3& normal);
 
 /// Above the line where the lips meet? 1 upper, 0 lower, smooth over `softness` mm; 0.5 sideways of
 /// the mouth corners means that both lips' muscles act.

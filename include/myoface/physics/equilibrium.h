@@ -68,9 +68,9 @@ public:
 private:
     void scale_masses(const MassSpringState& state, const Drive& drive,
                       std::span<const HandPull> pulls);
-    double advance(const MassSpringState& state, const Drive& drive,
-                   std::span<const HandPull> pulls, bool layer);
-    double apply_pull(const Points& x, const HandPull& pull, bool layer);
+    void advance(const MassSpringState& state, const Drive& drive,
+                 std::span<const HandPull> pulls, bool layer);
+    void apply_pull(const Points& x, const HandPull& pull, bool layer);
     void hold(const Handle& handle);
     Eigen::Vector2d pull_force(const Points& x, const HandPull& pull) const;
 

@@ -28,12 +28,13 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
                         const Drive& drive);
 
 /// Largest stretch |r|/L − 1 of the skin's springs around a set of nodes, with each spring's share
-/// of its limit. @param limit per node
+/// of its limit. @param limit per skin node @param least_limit no link counts with less
 struct StrainReport {
     double largest = 0.0;        ///< |ε|
     double share_of_limit = 0.0; ///< largest |ε| / limit
 };
 StrainReport skin_strain(const MassSpringModel& model, const Points& positions,
-                         const std::vector<int>& springs, const std::vector<double>& limit);
+                         const std::vector<int>& springs, const std::vector<double>& limit,
+                         double least_limit);
 
 }  // namespace myoface

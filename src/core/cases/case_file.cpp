@@ -187,8 +187,8 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     face.scan_bytes = read_file(file);
     const std::optional<fs::path> landmark_path =
         options.landmarks ? options.landmarks : landmarks_beside(file);
-    std::optional<LandmarkFile> landmarks;
-    if (landmark_path) {
+    std::optional<LandmarkFile> landmarks = options.placed;
+    if (!landmarks && landmark_path) {
         landmarks = read_landmarks(*landmark_path);
     }
     ReadOptions read{options.mm_per_unit, options.axes};
@@ -242,8 +242,27 @@ std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened,
     return simulator;
 }
 
+CaseState case_state(const FaceModel& face, const Contractions& contractions,
+                     const Points& skin_rest) {
+    CaseState state;
+    for (std::size_t m = 0; m < face.muscles.size(); ++m) {
+        const std::string& name = face.muscles[m].traits.name;
+        if (contractions.rate[m] != 0.0) {
+            state.rates[name] = contractions.rate[m];
+        }
+        if (contractions.strength[m] != 1.0) {
+            state.strengths[name] = contractions.strength[m];
+        }
+    }
+    const Points moved = skin_rest - face.skin.mesh.vertices;
+    if (moved.cwiseAbs().maxCoeff() > 0.0) {
+        state.shape = moved;
+    }
+    return state;
+}
+
 void write_case(const std::filesystem::path& file, const OpenedFace& opened,
-                const Simulator* simulator) {
+                const CaseState& state) {
     json manifest;
     manifest["format"] = "myoface-case";
     manifest["schema"] = kSchema;
@@ -263,24 +282,10 @@ void write_case(const std::filesystem::path& file, const OpenedFace& opened,
             value = {{"xyz", value}, {"est_error_mm", opened.landmarks->at(name).error_mm}};
         }
     }
-    std::string shape;
-    if (simulator != nullptr) {
-        const Contractions& c = simulator->contractions();
-        for (std::size_t m = 0; m < c.rate.size(); ++m) {
-            const std::string& name = simulator->face().muscles[m].traits.name;
-            if (c.rate[m] != 0.0) {
-                manifest["contractions"][name] = c.rate[m];
-            }
-            if (c.strength[m] != 1.0) {
-                manifest["strengths"][name] = c.strength[m];
-            }
-        }
-        const Points moved = simulator->skin_rest() - simulator->face().skin.mesh.vertices;
-        if (moved.cwiseAbs().maxCoeff() > 0.0) {
-            shape.assign(reinterpret_cast<const char*>(moved.data()),
-                         static_cast<std::size_t>(moved.size()) * sizeof(double));
-        }
-    }
+    manifest["contractions"] = state.rates;
+    manifest["strengths"] = state.strengths;
+    const std::string shape(reinterpret_cast<const char*>(state.shape.data()),
+                            static_cast<std::size_t>(state.shape.size()) * sizeof(double));
     std::string scan_bytes = opened.scan_bytes;
     if (scan_bytes.empty()) {  // generated: it has no file yet
         const fs::path part =

@@ -210,8 +210,13 @@ double SkinDrag::correct_targets(const Points& positions) {
 double SkinDrag::strain_share(const Points& positions) const {
     double share = 0.0;
     for (const Hand& hand : hands_) {
+        // What is gripped sets the limit; looser tissue nearby keeps its own.
+        double limit = 1e9;
+        for (const int node : hand.grip.nodes) {
+            limit = std::min(limit, system_.strain_limit[node]);
+        }
         share = std::max(share, skin_strain(system_.model, positions, hand.near_springs,
-                                            system_.strain_limit)
+                                            system_.strain_limit, std::min(limit, 1e3))
                                     .share_of_limit);
     }
     return share;

@@ -326,10 +326,13 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
     report("Fitting the face", 0.5);
 
     const Points normals = vertex_normals(mesh, *face->adjacency);
-    const Points smooth_normals = smoothed_face_normals(mesh, *face->adjacency);
+    const SmoothFace smooth = smooth_face(mesh, *face->adjacency);
+    const Points& smooth_normals = smooth.normals;
     const Eigen::VectorXd depths = tissue_depths(face->generic);
     for (int v = 0; v < face->node_count(); ++v) {
-        const bool inward = normals.col(v).dot(smooth_normals.col(v)) < 0.0;
+        const bool inward =
+            normals.col(v).dot(smooth_normals.col(v)) < 0.0 ||
+            looks_inward(face->generic.col(v), face->to_generic.rotation * normals.col(v));
         face->tissue.push_back(tissue_at(face->generic.col(v),
                                          depths[v] / face->to_generic.scale, inward));
     }
@@ -337,10 +340,10 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
     report("Fitting the face", 0.7);
 
     const Similarity back = face->to_generic.inverse();
-    place_muscles(*face, bvh, smooth_normals,
+    place_muscles(*face, smooth_normals,
                   [&](const Vec3& p) { return back(from_average(p)); });
     label_skin(*face);
-    face->bone = bone_surface(*face, smooth_normals);
+    face->bone = bone_surface(*face, smooth);
     face->lip_contacts = find_lip_contacts(*face);
     report("Fitting the face", 1.0);
     return face;

@@ -39,6 +39,7 @@ AtlasMuscle parse_muscle(const json& entry) {
     } else {
         t.forward = entry.at("forward").get<double>();
     }
+    t.breadth = entry.at("breadth_mm").get<double>();
     t.pull = entry.at("pull_mm").get<double>();
     t.strength = entry.at("strength_N").get<double>();
     t.gain = entry.at("gain").get<double>();

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "myoface/base/parallel.h"
+#include "myoface/mesh/bvh.h"
 #include "myoface/mesh/normals.h"
 
 namespace myoface {
@@ -17,18 +18,48 @@ constexpr int kParts = 8;             // of a linear muscle's chain
 constexpr double kInsertionDepth = 0.3;  // of the tissue's depth
 constexpr double kRingDepth = 0.35;
 
+bool inner(const FaceModel& face, int node) {
+    const TissueProperties& tissue = face.tissue[static_cast<std::size_t>(node)];
+    return tissue.tissue != Tissue::Skin && tissue.region != Region::Ear;
+}
+
+/// The scan without mouth bag and nostrils.
+TriangleMesh outer_skin(const FaceModel& face) {
+    const TriangleMesh& skin = face.skin.mesh;
+    TriangleMesh outer{skin.vertices, Triangles(3, skin.triangle_count())};
+    Eigen::Index count = 0;
+    for (int t = 0; t < skin.triangle_count(); ++t) {
+        const auto v = skin.triangles.col(t);
+        if (!inner(face, v[0]) && !inner(face, v[1]) && !inner(face, v[2])) {
+            outer.triangles.col(count++) = v;
+        }
+    }
+    outer.triangles.conservativeResize(3, count);
+    return outer;
+}
+
+struct SkinSurface {
+    const FaceModel& face;
+    const TriangleMesh& outer;
+    const Bvh& bvh;
+    const Points& normals;
+};
+
 /// Point under the skin nearest to `wanted`, at a share of the tissue's depth.
-Vec3 under_skin(const FaceModel& face, const Bvh& bvh, const Points& smooth_normals,
-                const Vec3& wanted, double depth_share) {
-    const ClosestPoint hit = bvh.closest_point(face.skin.mesh, wanted);
+struct UnderSkin {
+    Vec3 point, outward;
+};
+UnderSkin under_skin(const SkinSurface& skin, const Vec3& wanted, double depth_share) {
+    const ClosestPoint hit = skin.bvh.closest_point(skin.outer, wanted);
     Vec3 normal = Vec3::Zero();
     double depth = 0.0;
     for (int c = 0; c < 3; ++c) {
-        const int v = face.skin.mesh.triangles(c, hit.where.triangle);
-        normal += hit.where.weights[c] * smooth_normals.col(v);
-        depth += hit.where.weights[c] * face.tissue[static_cast<std::size_t>(v)].depth;
+        const int v = skin.outer.triangles(c, hit.where.triangle);
+        normal += hit.where.weights[c] * skin.normals.col(v);
+        depth += hit.where.weights[c] * skin.face.tissue[static_cast<std::size_t>(v)].depth;
     }
-    return hit.point - depth_share * depth * normal.normalized();
+    normal.normalize();
+    return {hit.point - depth_share * depth * normal, normal};
 }
 
 Points resampled(const Points& path, int parts) {
@@ -49,6 +80,16 @@ Points resampled(const Points& path, int parts) {
         result.col(k) = path.col(column - 1) + share * (path.col(column) - path.col(column - 1));
     }
     return result;
+}
+
+/// Muscles run straight: irons out what the skin over them has of its own.
+void even_out(Points& path) {
+    for (int pass = 0; pass < 6; ++pass) {
+        const Points before = path;
+        for (Eigen::Index k = 1; k + 1 < path.cols(); ++k) {
+            path.col(k) = 0.5 * before.col(k) + 0.25 * (before.col(k - 1) + before.col(k + 1));
+        }
+    }
 }
 
 double path_length(const Points& path, bool closed) {
@@ -82,7 +123,7 @@ void measure_ring(const FaceModel& face, Muscle& muscle, const Points& outline) 
 
 }  // namespace
 
-void place_muscles(FaceModel& face, const Bvh& bvh, const Points& smooth_normals,
+void place_muscles(FaceModel& face, const Points& smooth_normals,
                    const std::function<Vec3(const Vec3&)>& from_generic) {
     const auto warped = [&](const Points& path) {
         Points result(3, path.cols());
@@ -91,6 +132,9 @@ void place_muscles(FaceModel& face, const Bvh& bvh, const Points& smooth_normals
         }
         return result;
     };
+    const TriangleMesh outer = outer_skin(face);
+    const Bvh bvh(outer);
+    const SkinSurface skin{face, outer, bvh, smooth_normals};
     for (const AtlasMuscle& entry : muscle_atlas()) {
         Muscle muscle;
         muscle.traits = entry.traits;
@@ -98,19 +142,26 @@ void place_muscles(FaceModel& face, const Bvh& bvh, const Points& smooth_normals
         if (entry.traits.kind == MuscleKind::Linear) {
             const Points even = resampled(path, kParts);
             muscle.path.resize(3, kParts + 1);
+            muscle.outward.resize(3, kParts + 1);
             for (int k = 0; k <= kParts; ++k) {
                 const double share = static_cast<double>(k) / kParts;
                 // Leaves the bone quickly, then runs under the skin.
                 const double depth = kInsertionDepth + (1.0 - kInsertionDepth) *
                                                            std::pow(1.0 - share, 2.0);
-                muscle.path.col(k) = under_skin(face, bvh, smooth_normals, even.col(k), depth);
+                const UnderSkin place = under_skin(skin, even.col(k), depth);
+                muscle.path.col(k) = place.point;
+                muscle.outward.col(k) = place.outward;
             }
+            even_out(muscle.path);
             muscle.length = path_length(muscle.path, false);
         } else {
             muscle.path.resize(3, path.cols());
+            muscle.outward.resize(3, path.cols());
             for (Eigen::Index i = 0; i < path.cols(); ++i) {
-                muscle.path.col(i) =
-                    under_skin(face, bvh, smooth_normals, path.col(i), kRingDepth);
+                const UnderSkin place =
+                    under_skin(skin, path.col(i), kRingDepth);
+                muscle.path.col(i) = place.point;
+                muscle.outward.col(i) = place.outward;
             }
             muscle.length = path_length(muscle.path, true);
             Points outline = muscle.path;
@@ -122,7 +173,7 @@ void place_muscles(FaceModel& face, const Bvh& bvh, const Points& smooth_normals
                 outline.conservativeResize(3, 2 * path.cols());
                 for (Eigen::Index i = 0; i < mirrored.cols(); ++i) {
                     outline.col(path.cols() + i) =
-                        under_skin(face, bvh, smooth_normals, mirrored.col(i), kRingDepth);
+                        under_skin(skin, mirrored.col(i), kRingDepth).point;
                 }
             }
             measure_ring(face, muscle, outline);
@@ -132,7 +183,7 @@ void place_muscles(FaceModel& face, const Bvh& bvh, const Points& smooth_normals
 }
 
 void label_skin(FaceModel& face) {
-    constexpr double kBreadth = 7.0;  // half the breadth of a muscle [mm]
+    constexpr double kMargin = 2.5;  // a muscle also acts on the skin beside it [mm]
     const Points& vertices = face.skin.mesh.vertices;
     face.label.resize(static_cast<std::size_t>(face.node_count()));
     parallel_for(face.node_count(), 256, [&](int begin, int end) {
@@ -143,6 +194,7 @@ void label_skin(FaceModel& face) {
             const Vec3 p = vertices.col(v);
             for (std::size_t m = 0; m < face.muscles.size(); ++m) {
                 const Muscle& muscle = face.muscles[m];
+                const double reach = 0.5 * muscle.traits.breadth + kMargin;
                 const Eigen::Index points = muscle.path.cols();
                 const bool closed = muscle.traits.kind == MuscleKind::Sphincter;
                 for (Eigen::Index i = closed ? 0 : 1; i < points; ++i) {
@@ -155,8 +207,8 @@ void label_skin(FaceModel& face) {
                     Vec3 off = p - a - t * ab;
                     off -= off.dot(face.sliding[v].normal) * face.sliding[v].normal;
                     const double distance = off.norm();
-                    const bool above = (p - a - t * ab).norm() < kBreadth + tissue.depth;
-                    if (above && distance < kBreadth && distance < nearest - 1e-9) {
+                    const bool above = (p - a - t * ab).norm() < reach + tissue.depth;
+                    if (above && distance < reach && distance < nearest - 1e-9) {
                         nearest = distance;
                         label.muscle = static_cast<int>(m);
                     }
@@ -167,21 +219,14 @@ void label_skin(FaceModel& face) {
     });
 }
 
-TriangleMesh bone_surface(const FaceModel& face, const Points& smooth_normals) {
+TriangleMesh bone_surface(const FaceModel& face, const SmoothFace& smooth) {
     const TriangleMesh& skin = face.skin.mesh;
-    double edge = 0.0;
-    for (const MeshEdge& e : face.adjacency->edges()) {
-        edge += (skin.vertices.col(e.vertices[0]) - skin.vertices.col(e.vertices[1])).norm();
-    }
-    edge /= static_cast<double>(std::max<std::size_t>(face.adjacency->edges().size(), 1));
-    const int passes = std::clamp(static_cast<int>(14.0 * std::pow(2.7 / edge, 2.0)), 3, 800);
-    const Points smooth = smoothed(skin.vertices, *face.adjacency, passes);
     TriangleMesh bone;
     bone.vertices.resize(3, skin.vertex_count());
     for (int v = 0; v < skin.vertex_count(); ++v) {
         bone.vertices.col(v) =
-            smooth.col(v) -
-            face.tissue[static_cast<std::size_t>(v)].depth * smooth_normals.col(v);
+            smooth.vertices.col(v) -
+            face.tissue[static_cast<std::size_t>(v)].depth * smooth.normals.col(v);
     }
     const auto open = [&](const Vec3& p, Region region) {
         const double x = std::abs(p.x());
@@ -196,7 +241,7 @@ TriangleMesh bone_surface(const FaceModel& face, const Points& smooth_normals) {
         bool gone = false;
         for (int c = 0; c < 3; ++c) {
             const int v = skin.triangles(c, t);
-            gone = gone || open(face.generic.col(v), face.tissue[static_cast<std::size_t>(v)].region);
+            gone = gone || inner(face, v) || open(face.generic.col(v), face.tissue[static_cast<std::size_t>(v)].region);
         }
         if (!gone) {
             kept.emplace_back(skin.triangles.col(t));

@@ -7,9 +7,12 @@
 
 namespace myoface {
 
-/// Normals of the face without its small features, 3×N: the directions in which tissue lies over
-/// bone. The reach of the smoothing is in millimetres, not in rings.
-Points smoothed_face_normals(const TriangleMesh& mesh, const Adjacency& adjacency);
+/// The face without its small features: tissue lies over bone in the direction of `normals`, 3×N.
+struct SmoothFace {
+    Points vertices;  ///< lightly smoothed: lips and nostrils gone, chin and cheeks kept
+    Points normals;   ///< unit
+};
+SmoothFace smooth_face(const TriangleMesh& mesh, const Adjacency& adjacency);
 
 /// The quadric of the smoothed face at every node: tangential curvature by least squares over the
 /// surroundings, limited to radii of 12 mm hollow and 25 mm round.

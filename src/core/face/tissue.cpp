@@ -16,6 +16,11 @@
 namespace myoface {
 namespace {
 
+const HeadField& average_head() {
+    static const HeadField kHead;
+    return kHead;
+}
+
 double smooth_step(double edge0, double edge1, double x) {
     const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -136,7 +141,7 @@ TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward) {
     // The forehead glides on its bone, lips hang free over the vestibule, the inner and outer
     // canthi and the two facial ligaments hold on.
     const double forehead = smooth_step(26.0, 40.0, y) * smooth_step(20.0, 50.0, z);
-    t.bone_tie = mixed(1.0, 0.2, forehead);
+    t.bone_tie = mixed(1.0, 0.6, forehead);
     t.bone_tie = mixed(t.bone_tie, 0.15, lips);
     const auto tied = [&](const Vec3& at, double reach, double strength) {
         const double d = (Vec3(x, y, z) - at).norm() / reach;
@@ -148,7 +153,8 @@ TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward) {
     tied({38.0, -84.0, 50.0}, 9.0, 2.0);
 
     if (faces_inward) {
-        t.tissue = lips > 0.3 ? Tissue::Mucosa : Tissue::Cartilage;
+        const bool mouth = lips > 0.3 || (y < -36.0 && x < 34.0);
+        t.tissue = mouth ? Tissue::Mucosa : Tissue::Cartilage;
         t.strain_limit = 1e9;  // thin folds stretch further; no limit is known for them
     } else if (t.region == Region::Ear) {
         t.tissue = Tissue::Cartilage;
@@ -160,10 +166,27 @@ TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward) {
     return t;
 }
 
+bool looks_inward(const Vec3& p, const Vec3& normal) {
+    if (p.z() < 20.0 || p.y() < -100.0 || p.y() > 60.0) {
+        return false;
+    }
+    const double depth = -average_head()(p);
+    if (depth > 14.0) {
+        return true;  // no fit is that far off
+    }
+    constexpr double kStep = 0.5;
+    Vec3 outward;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 ahead = p;
+        ahead[axis] += kStep;
+        outward[axis] = average_head()(ahead) + depth;
+    }
+    return depth > 4.0 && outward.dot(normal) < 0.0;
+}
+
 double upper_lip_share(const Vec3& p, double softness) {
-    static const HeadField kHead;
     const double x = std::abs(p.x());
-    const double height = p.y() - kHead.lip_line(x);
+    const double height = p.y() - average_head().lip_line(x);
     const double upper = smooth_step(-softness, softness, height);
     const double beside = smooth_step(HeadField::kMouthCorner - 5.0, HeadField::kMouthCorner + 1.0, x);
     return mixed(upper, 0.5, beside);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kGrain = 384;
 constexpr int kMassesEvery = 40;       // iterations
+constexpr int kLookEvery = 5;          // iterations between looks at convergence
 constexpr double kMassSafety = 1.15;   // over Gershgorin's bound for a unit step
 constexpr double kRunaway = 200.0;     // no tissue moves that far [mm]
 
@@ -22,7 +23,6 @@ struct ChunkSums {
     double residual = 0.0;
     double curvature = 0.0;  // −v·ΔF
     double kinetic = 0.0;    // v·M v
-    double step = 0.0;       // largest squared
 };
 
 struct NodeUpdate {
@@ -83,7 +83,7 @@ Eigen::Vector2d EquilibriumSolver::pull_force(const Points& x, const HandPull& p
     return size / distance * gap;
 }
 
-double EquilibriumSolver::advance(const MassSpringState& state, const Drive& drive,
+void EquilibriumSolver::advance(const MassSpringState& state, const Drive& drive,
                                   std::span<const HandPull> pulls, bool layer) {
     const int n = model_.node_count();
     const int chunks = (n + kGrain - 1) / kGrain;
@@ -105,7 +105,6 @@ double EquilibriumSolver::advance(const MassSpringState& state, const Drive& dri
             force_.col(i) = f;
             velocity_.col(i) = update.velocity;
             next_.col(i) = update.position;
-            sum.step = std::max(sum.step, update.velocity.squaredNorm());
         }
         sums[begin / kGrain] = sum;
     });
@@ -126,8 +125,7 @@ double EquilibriumSolver::advance(const MassSpringState& state, const Drive& dri
                 layer_force_.col(i) = f;
                 layer_velocity_.col(i) = update.velocity;
                 layer_next_.col(i) = update.position;
-                sum.step = std::max(sum.step, update.velocity.squaredNorm());
-            }
+                }
             sums[chunks + begin / kGrain] = sum;
         });
     }
@@ -136,11 +134,10 @@ double EquilibriumSolver::advance(const MassSpringState& state, const Drive& dri
         total.residual += sum.residual;
         total.curvature += sum.curvature;
         total.kinetic += sum.kinetic;
-        total.step = std::max(total.step, sum.step);
     }
     residual_ = total.residual;
     for (const HandPull& pull : pulls) {
-        total.step = std::max(total.step, apply_pull(x, pull, layer));
+        apply_pull(x, pull, layer);
     }
     // The damping that is critical for the slowest motion seen in the last step.
     if (total.kinetic > 0.0) {
@@ -149,13 +146,11 @@ double EquilibriumSolver::advance(const MassSpringState& state, const Drive& dri
     }
     last_force_.swap(force_);
     layer_last_force_.swap(layer_force_);
-    return std::sqrt(total.step);
 }
 
-double EquilibriumSolver::apply_pull(const Points& x, const HandPull& pull, bool layer) {
+void EquilibriumSolver::apply_pull(const Points& x, const HandPull& pull, bool layer) {
     const Vec3 f = pull.plane * pull_force(x, pull);
     hand_forces_.push_back(f);
-    double step = 0.0;
     const auto push = [&](const std::vector<int>& nodes, const std::vector<double>& weights,
                           double share, const Points& inner, Points& velocity, Points& next,
                           const Eigen::VectorXd& mass) {
@@ -169,7 +164,6 @@ double EquilibriumSolver::apply_pull(const Points& x, const HandPull& pull, bool
             const Vec3 kick = 2.0 / (mass[i] * (2.0 + damping_)) * part;
             velocity.col(i) += kick;
             next.col(i) += kick;
-            step = std::max(step, velocity.col(i).squaredNorm());
         }
     };
     push(pull.nodes, pull.weights, pull.skin_share, force_, velocity_, next_, mass_);
@@ -177,7 +171,6 @@ double EquilibriumSolver::apply_pull(const Points& x, const HandPull& pull, bool
         push(pull.layer_nodes, pull.layer_weights, pull.layer_share, layer_force_, layer_velocity_,
              layer_next_, layer_mass_);
     }
-    return step;
 }
 
 void EquilibriumSolver::hold(const Handle& handle) {
@@ -238,15 +231,27 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
             scale_masses(state, drive, pulls);
         }
         hand_forces_.clear();
-        report.last_step = advance(state, drive, pulls, layer);
+        advance(state, drive, pulls, layer);
         for (const Handle& handle : handles) {
             hold(handle);
+        }
+        const bool look = k % kLookEvery == kLookEvery - 1 || k + 1 == options.iterations;
+        if (look) {
+            report.last_step = std::sqrt((next_ - state.positions).colwise().squaredNorm().maxCoeff());
+            if (layer) {
+                report.last_step = std::max(
+                    report.last_step,
+                    std::sqrt((layer_next_ - state.layer).colwise().squaredNorm().maxCoeff()));
+            }
         }
         state.positions.swap(next_);
         if (layer) {
             state.layer.swap(layer_next_);
         }
         ++report.iterations;
+        if (!look) {
+            continue;
+        }
         if (!(report.last_step < kRunaway)) {
             state.positions = good;
             state.layer = good_layer;
@@ -255,7 +260,7 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
             break;
         }
         still = report.last_step < options.still_mm ? still + 1 : 0;
-        if (still >= 3) {
+        if (still >= 2) {
             report.converged = true;
             break;
         }

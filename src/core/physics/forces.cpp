@@ -128,13 +128,14 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
 }
 
 StrainReport skin_strain(const MassSpringModel& model, const Points& positions,
-                         const std::vector<int>& springs, const std::vector<double>& limit) {
+                         const std::vector<int>& springs, const std::vector<double>& limit,
+                         double least_limit) {
     StrainReport report;
     for (const int s : springs) {
         const Spring& spring = model.springs[s];
         const double distance = (positions.col(spring.a) - positions.col(spring.b)).norm();
         const double strain = std::abs(distance / spring.length - 1.0);
-        const double most = std::min(limit[spring.a], limit[spring.b]);
+        const double most = std::max(std::min(limit[spring.a], limit[spring.b]), least_limit);
         if (most < 1e6) {
             report.largest = std::max(report.largest, strain);
             report.share_of_limit = std::max(report.share_of_limit, strain / most);

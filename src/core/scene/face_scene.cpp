@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kSides = 10;       // of a fibre bundle
 constexpr int kPerPart = 4;      // rings per part of a chain
+constexpr double kHalfThickness = 0.9;  // of a bundle [mm]
 
 /// Catmull-Rom through the chain's nodes.
 std::vector<Vec3> smooth_line(const std::vector<Vec3>& through, bool closed) {
@@ -41,7 +42,8 @@ std::vector<Vec3> smooth_line(const std::vector<Vec3>& through, bool closed) {
 
 /// A flat bundle of fibres along a line: broad along the face, thin across.
 void append_bundle(std::vector<Vec3>& positions, std::vector<std::uint32_t>* indices,
-                   const std::vector<Vec3>& line, bool closed, const Vec3& outward, double breadth,
+                   const std::vector<Vec3>& line, const std::vector<Vec3>& outward, bool closed,
+                   double breadth,
                    double thickness) {
     const auto n = static_cast<int>(line.size());
     const auto first = static_cast<std::uint32_t>(positions.size());
@@ -51,11 +53,11 @@ void append_bundle(std::vector<Vec3>& positions, std::vector<std::uint32_t>* ind
         const Vec3& after = line[static_cast<std::size_t>(closed ? (i + 1) % n
                                                                  : std::min(i + 1, n - 1))];
         const Vec3 along = (after - before).normalized();
-        const Vec3 broad = along.cross(outward).normalized();
+        const Vec3 broad = along.cross(outward[static_cast<std::size_t>(i)]).normalized();
         const Vec3 thin = broad.cross(along);
         const double t = static_cast<double>(i) / (n - 1);
         const double belly =
-            closed ? 1.0 : 0.35 + 0.65 * std::pow(std::sin(std::numbers::pi * (0.1 + 0.8 * t)), 0.8);
+            closed ? 1.0 : 0.45 + 0.55 * std::pow(std::sin(std::numbers::pi * (0.08 + 0.84 * t)), 0.7);
         for (int k = 0; k < kSides; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / kSides;
             positions.push_back(line[static_cast<std::size_t>(i)] +
@@ -173,11 +175,14 @@ void FaceScene::show_muscles(const Points& nodes) {
         }
         // A bundle that shortens keeps its volume.
         const double bulge = std::sqrt(std::clamp(muscle.length / std::max(length, 1.0), 0.6, 2.5));
-        const double breadth = ring ? 2.4 : std::clamp(0.075 * muscle.length, 1.6, 4.2);
-        const Vec3 outward = ring ? muscle.axis : Vec3(face_->axes.col(2));
+        std::vector<Vec3> outward;
+        for (int k = 0; k < chain.node_count; ++k) {
+            outward.emplace_back(muscle.outward.col(k));
+        }
         const std::size_t first = positions.size();
-        append_bundle(positions, fresh ? &indices : nullptr, smooth_line(through, ring), ring,
-                      outward, bulge * breadth, bulge * 0.45 * breadth);
+        append_bundle(positions, fresh ? &indices : nullptr, smooth_line(through, ring),
+                      smooth_line(outward, ring), ring, bulge * 0.5 * muscle.traits.breadth,
+                      bulge * kHalfThickness);
         if (fresh) {
             // Left and right of a pair share their colour.
             int label = static_cast<int>(m);
@@ -185,7 +190,7 @@ void FaceScene::show_muscles(const Points& nodes) {
                 --label;
             }
             const Vec3 base =
-                0.55 * Vec3(0.66, 0.23, 0.20) + 0.45 * label_colour(label).cast<double>();
+                0.72 * Vec3(0.70, 0.22, 0.19) + 0.28 * label_colour(label).cast<double>();
             colours.resize(positions.size());
             std::fill(colours.begin() + static_cast<std::ptrdiff_t>(first), colours.end(), base);
         }

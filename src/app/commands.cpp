@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.h"
+
+#include <utility>
+
+namespace myoface {
+
+SetRatesCommand::SetRatesCommand(FaceDocument& document, std::vector<int> muscles,
+                                 std::vector<double> rates, int gesture, const QString& text)
+    : QUndoCommand(text),
+      m_document(document),
+      m_muscles(std::move(muscles)),
+      m_other(std::move(rates)),
+      m_gesture(gesture) {}
+
+void SetRatesCommand::swap() {
+    for (std::size_t i = 0; i < m_muscles.size(); ++i) {
+        const double shown =
+            m_document.contractions().rate[static_cast<std::size_t>(m_muscles[i])];
+        m_document.setRate(m_muscles[i], std::exchange(m_other[i], shown));
+    }
+}
+
+bool SetRatesCommand::mergeWith(const QUndoCommand* other) {
+    const auto* next = static_cast<const SetRatesCommand*>(other);  // same id()
+    if (next->m_gesture != m_gesture || next->m_muscles != m_muscles) {
+        return false;
+    }
+    bool back = true;
+    for (std::size_t i = 0; i < m_muscles.size(); ++i) {
+        back = back && m_document.contractions().rate[static_cast<std::size_t>(m_muscles[i])] ==
+                           m_other[i];
+    }
+    setObsolete(back);  // the slider returned to where it began
+    return true;
+}
+
+ReshapeCommand::ReshapeCommand(FaceDocument& document, const Points& before, const Points& after,
+                               const QString& text)
+    : QUndoCommand(text), m_document(document) {
+    for (Eigen::Index i = 0; i < before.cols(); ++i) {
+        if (before.col(i) != after.col(i)) {
+            m_nodes.push_back(static_cast<int>(i));
+        }
+    }
+    m_before.resize(3, static_cast<Eigen::Index>(m_nodes.size()));
+    m_after.resize(3, m_before.cols());
+    for (std::size_t k = 0; k < m_nodes.size(); ++k) {
+        m_before.col(static_cast<Eigen::Index>(k)) = before.col(m_nodes[k]);
+        m_after.col(static_cast<Eigen::Index>(k)) = after.col(m_nodes[k]);
+    }
+}
+
+void ReshapeCommand::apply(const Points& values) {
+    Points rest = m_document.skinRest();
+    for (std::size_t k = 0; k < m_nodes.size(); ++k) {
+        rest.col(m_nodes[k]) = values.col(static_cast<Eigen::Index>(k));
+    }
+    m_document.setSkinRest(rest);
+}
+
+}  // namespace myoface

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <QUndoCommand>
+
+#include "face_document.h"
+
+namespace myoface {
+
+/// Contractions of some muscles. One gesture of a slider is one step: commands of the same gesture
+/// merge.
+class SetRatesCommand final : public QUndoCommand {
+public:
+    SetRatesCommand(FaceDocument& document, std::vector<int> muscles, std::vector<double> rates,
+                    int gesture, const QString& text);
+
+    void undo() override { swap(); }
+    void redo() override { swap(); }
+    int id() const override { return 1; }
+    bool mergeWith(const QUndoCommand* other) override;
+
+private:
+    void swap();
+
+    FaceDocument& m_document;
+    std::vector<int> m_muscles;
+    std::vector<double> m_other;  ///< what undo or redo will set
+    int m_gesture;
+};
+
+/// A new resting shape of the skin: holds only the nodes that moved, before and after.
+class ReshapeCommand final : public QUndoCommand {
+public:
+    ReshapeCommand(FaceDocument& document, const Points& before, const Points& after,
+                   const QString& text);
+
+    void undo() override { apply(m_before); }
+    void redo() override { apply(m_after); }
+
+private:
+    void apply(const Points& values);
+
+    FaceDocument& m_document;
+    std::vector<int> m_nodes;
+    Points m_before, m_after;
+};
+
+}  // namespace myoface

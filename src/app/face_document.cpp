@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "face_document.h"
+
+namespace myoface {
+
+FaceDocument::FaceDocument(QObject* parent) : QObject(parent) {}
+
+void FaceDocument::setFace(std::shared_ptr<const OpenedFace> opened,
+                           std::shared_ptr<const FaceModel> model,
+                           const Contractions& contractions, const Points& skinRest) {
+    m_undoStack.clear();
+    m_opened = std::move(opened);
+    m_model = std::move(model);
+    m_contractions = contractions;
+    m_skinRest = skinRest;
+    Q_EMIT faceChanged();
+}
+
+void FaceDocument::setRate(int muscle, double rate) {
+    m_contractions.rate[static_cast<std::size_t>(muscle)] = rate;
+    Q_EMIT rateChanged(muscle, rate);
+}
+
+void FaceDocument::setSkinRest(const Points& skinRest) {
+    m_skinRest = skinRest;
+    Q_EMIT skinRestChanged();
+}
+
+}  // namespace myoface

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QObject>
+#include <QUndoStack>
+
+#include "myoface/cases/case_file.h"
+
+namespace myoface {
+
+/// The face that is open and what the user made of it. Views listen to it; only commands change it.
+class FaceDocument final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit FaceDocument(QObject* parent = nullptr);
+
+    /// A new face; `model` is null for a scan that has not been fitted. Clears the history.
+    void setFace(std::shared_ptr<const OpenedFace> opened, std::shared_ptr<const FaceModel> model,
+                 const Contractions& contractions, const Points& skinRest);
+
+    const std::shared_ptr<const OpenedFace>& opened() const { return m_opened; }
+    const std::shared_ptr<const FaceModel>& model() const { return m_model; }
+    const Contractions& contractions() const { return m_contractions; }
+    const Points& skinRest() const { return m_skinRest; }
+    QUndoStack* undoStack() { return &m_undoStack; }
+
+    // For commands.
+    void setRate(int muscle, double rate);
+    void setSkinRest(const Points& skinRest);
+
+Q_SIGNALS:
+    void faceChanged();
+    void rateChanged(int muscle, double rate);
+    void skinRestChanged();
+
+private:
+    std::shared_ptr<const OpenedFace> m_opened;
+    std::shared_ptr<const FaceModel> m_model;
+    Contractions m_contractions;
+    Points m_skinRest;
+    QUndoStack m_undoStack;
+};
+
+}  // namespace myoface

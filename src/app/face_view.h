@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QOpenGLWidget>
+
+#include "myoface/mesh/bvh.h"
+#include "myoface/scene/camera.h"
+#include "myoface/scene/face_scene.h"
+
+namespace myoface {
+
+class Renderer;
+
+/// What the left mouse button does on the skin.
+enum class Tool { Navigate, Shape, Feel };
+
+/// The 3D view: draws a FaceScene and turns mouse and keys into camera moves and grips. It never
+/// changes the face itself.
+class FaceView final : public QOpenGLWidget {
+    Q_OBJECT
+
+public:
+    explicit FaceView(QWidget* parent = nullptr);
+    ~FaceView() override;
+    FaceView(const FaceView&) = delete;
+    FaceView& operator=(const FaceView&) = delete;
+
+    /// The scene to draw; null for an empty view. The view does not own its contents.
+    void setScene(FaceScene* scene);
+    /// What can be gripped: the skin's triangles, at positions that setSkinPositions() updates.
+    void setSkin(const TriangleMesh& skin);
+    void setSkinPositions(const Points& positions);
+    void setTool(Tool tool);
+    Tool tool() const { return m_tool; }
+    /// Clicks on the skin are reported instead of gripping.
+    void setPickMode(bool on);
+
+    const Camera& camera() const { return m_camera; }
+    void showStandardView(const QString& name);
+    void frameFace(const Vec3& centre, double radius);
+    void setOrthographic(bool on);
+
+    QSize minimumSizeHint() const override { return {320, 320}; }
+
+Q_SIGNALS:
+    void gripped(const myoface::SurfacePoint& where, const myoface::ViewRay& ray);
+    void pulled(const myoface::ViewRay& ray);
+    void released(bool keep);
+    void picked(const myoface::Vec3& point);
+    void hovered(const QString& what, bool onSkin);
+    void drawingFailed(const QString& sentence);
+    void beforeHeld(bool held);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+
+private:
+    enum class Action { None, Orbit, Pan, Grip, MaybePick };
+
+    ViewRay rayAt(const QPointF& at) const;
+    std::optional<RayHit> hitAt(const QPointF& at);
+    void updateCursor(bool onSkin);
+    void releaseRenderer();
+
+    FaceScene* m_scene = nullptr;
+    std::unique_ptr<Renderer> m_renderer;
+    TriangleMesh m_skin;
+    Bvh m_bvh;
+    bool m_bvhStale = true;
+    Camera m_camera;
+    Tool m_tool = Tool::Shape;
+    Action m_action = Action::None;
+    bool m_pickMode = false;
+    QPointF m_last, m_pressed;
+    Vec3 m_homeCentre = Vec3::Zero();
+    double m_homeRadius = 130.0;
+};
+
+}  // namespace myoface

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <clocale>
+#include <cstdio>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QMessageBox>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+#include <QTimer>
+
+#include "main_window.h"
+#include "myoface/base/error.h"
+#include "myoface/sim/plan.h"
+#include "theme.h"
+
+namespace {
+
+constexpr int kScreenshotLimit = 120000;  // [ms]
+
+/// Whether this computer draws OpenGL 3.3 at all; a window without it would abort.
+bool hasOpenGl() {
+    QOpenGLContext context;
+    if (!context.create()) {
+        return false;
+    }
+    QOffscreenSurface surface;
+    surface.setFormat(context.format());
+    surface.create();
+    const bool current = context.makeCurrent(&surface);
+    context.doneCurrent();
+    return current && context.format().version() >= qMakePair(3, 3);
+}
+
+/// Saves the whole window once it has come to rest, then ends.
+void saveAndQuit(myoface::MainWindow& window, const QString& file) {
+    QTimer::singleShot(400, &window, [&window, file] {  // a last frame with everything in place
+        const bool saved = window.grab().save(file);
+        if (!saved) {
+            std::fprintf(stderr, "myoface: %s: cannot be written.\n", qPrintable(file));
+        }
+        QApplication::exit(saved ? 0 : 1);
+    });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    // Multisampling is slow without a graphics card; software drawing says so in its name.
+    format.setSamples(qEnvironmentVariableIsSet("MYOFACE_NO_MULTISAMPLING") ? 0 : 4);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");  // numbers in files have points, whatever the user's language
+    QApplication::setApplicationName(QStringLiteral("Myoface"));
+    QApplication::setOrganizationName(QStringLiteral("Myoface"));
+    QApplication::setApplicationVersion(QStringLiteral(MYOFACE_VERSION));
+    myoface::applyTheme(application);
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QObject::tr("Facial surgery consultation simulator. A planning and communication aid, not "
+                    "a medical device."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("FACE"),
+                                 QObject::tr("OBJ, PLY or .myoface file, or the word generic"));
+    const QCommandLineOption screenshot(QStringLiteral("screenshot"),
+                                        QObject::tr("save the window as PNG and end"),
+                                        QStringLiteral("file"));
+    const QCommandLineOption muscle(QStringLiteral("muscle"),
+                                    QObject::tr("NAME=c, contraction; repeatable"),
+                                    QStringLiteral("setting"));
+    const QCommandLineOption layers(QStringLiteral("layers"),
+                                    QObject::tr("of skin,muscle,bone,springs"),
+                                    QStringLiteral("list"));
+    const QCommandLineOption view(QStringLiteral("view"), QObject::tr("standard view"),
+                                  QStringLiteral("name"));
+    parser.addOptions({screenshot, muscle, layers, view});
+    parser.process(application);
+
+    if (!hasOpenGl()) {
+        const QString sentence =
+            QObject::tr("This computer offers no OpenGL 3.3, which the 3D view needs. Install or "
+                        "update its graphics driver; myoface-cli works without.");
+        std::fprintf(stderr, "myoface: %s\n", qPrintable(sentence));
+        if (!parser.isSet(screenshot) && QApplication::platformName() != "offscreen") {
+            QMessageBox::critical(nullptr, QStringLiteral("Myoface"), sentence);
+        }
+        return 1;
+    }
+
+    std::vector<std::pair<std::string, double>> rates;
+    try {
+        for (const QString& text : parser.values(muscle)) {
+            rates.push_back(myoface::parse_setting(text.toStdString()));
+            myoface::muscles_named(rates.back().first);
+        }
+        if (parser.isSet(view)) {
+            myoface::standard_view(parser.value(view).toStdString());
+        }
+    } catch (const myoface::Error& error) {
+        std::fprintf(stderr, "myoface: %s\n", error.what());
+        return 1;
+    }
+
+    if (parser.isSet(screenshot)) {
+        qputenv("MYOFACE_UNATTENDED", "1");
+    }
+    myoface::MainWindow window;
+    window.show();
+    QObject::connect(&window, &myoface::MainWindow::opened, &window, [&] {
+        try {
+            for (const auto& [name, rate] : rates) {
+                window.setRates(name, rate);
+            }
+            if (parser.isSet(layers)) {
+                const QStringList names = parser.value(layers).split(QLatin1Char(','));
+                const bool inner = names.contains(QStringLiteral("muscle")) ||
+                                   names.contains(QStringLiteral("bone"));
+                window.setLayers(
+                    {names.contains(QStringLiteral("skin")) ? (inner ? 0.4F : 1.0F) : 0.0F,
+                     names.contains(QStringLiteral("muscle")) ? 1.0F : 0.0F,
+                     names.contains(QStringLiteral("bone")) ? 1.0F : 0.0F,
+                     names.contains(QStringLiteral("springs")) ? 0.8F : 0.0F});
+            }
+            if (parser.isSet(view)) {
+                window.view().showStandardView(parser.value(view));
+            }
+        } catch (const myoface::Error& error) {
+            std::fprintf(stderr, "myoface: %s\n", error.what());
+        }
+        if (parser.isSet(screenshot) && window.settled()) {
+            saveAndQuit(window, parser.value(screenshot));
+        }
+    });
+    if (parser.isSet(screenshot)) {
+        QObject::connect(&window, &myoface::MainWindow::cameToRest, &window, [&] {
+            static bool saving = false;
+            if (!saving) {
+                saving = true;
+                saveAndQuit(window, parser.value(screenshot));
+            }
+        });
+        QObject::connect(&window, &myoface::MainWindow::openFailed, &window,
+                         [](const QString& sentence) {
+                             std::fprintf(stderr, "myoface: %s\n", qPrintable(sentence));
+                             QApplication::exit(1);
+                         });
+        QTimer::singleShot(kScreenshotLimit, &window, [] {
+            std::fputs("myoface: the face did not come to rest in two minutes.\n", stderr);
+            QApplication::exit(1);
+        });
+    }
+    const QStringList faces = parser.positionalArguments();
+    window.openPath(faces.isEmpty() ? QStringLiteral("generic") : faces.first());
+    return QApplication::exec();
+}

@@ -1,0 +1,662 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "commands.h"
+#include "landmark_guide.h"
+#include "layer_panel.h"
+#include "muscle_panel.h"
+#include "myoface/base/error.h"
+#include "open_job.h"
+#include "scan_panel.h"
+
+namespace myoface {
+namespace {
+
+constexpr int kRecentFiles = 8;
+const char* const kRecentKey = "recentFiles";
+
+/// The head in the picture: hairline to chin, ears in.
+std::pair<Vec3, double> faceSphere(const OpenedFace& opened) {
+    const Points& v = opened.scan->mesh.vertices;
+    if (opened.landmarks) {
+        const Landmarks& l = *opened.landmarks;
+        const auto nose = l.count("prn") != 0 ? l.find("prn") : l.find("sn");
+        if (nose != l.end()) {
+            return {nose->second.position + Vec3(0.0, 8.0, -75.0), 128.0};
+        }
+    }
+    return {0.5 * (v.rowwise().maxCoeff() + v.rowwise().minCoeff()),
+            0.45 * (v.rowwise().maxCoeff() - v.rowwise().minCoeff()).norm()};
+}
+
+}  // namespace
+
+template <typename Call>
+void MainWindow::inWorker(const Call& call) {
+    m_settled = false;
+    QMetaObject::invokeMethod(
+        m_worker, [worker = m_worker, call] { call(*worker); }, Qt::QueuedConnection);
+}
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+    qRegisterMetaType<std::shared_ptr<const DragOutcome>>();
+    setWindowTitle(tr("Myoface"));
+    setAcceptDrops(true);
+    resize(1440, 900);
+
+    auto* centre = new QWidget;
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    m_guide = new LandmarkGuide;
+    m_view = new FaceView;
+    layout->addWidget(m_guide);
+    layout->addWidget(m_view, 1);
+    setCentralWidget(centre);
+
+    m_worker = new SimulationWorker(m_box);
+    m_worker->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
+    connect(m_worker, &SimulationWorker::snapshotReady, this, &MainWindow::showSnapshot);
+    connect(m_worker, &SimulationWorker::dragFinished, this, &MainWindow::dragFinished);
+    connect(m_worker, &SimulationWorker::failed, this, &MainWindow::complain);
+    m_thread.start();
+
+    buildDocks();
+    buildActions();
+    connectView();
+
+    connect(&m_document, &FaceDocument::rateChanged, this, [this](int muscle, double rate) {
+        m_muscles->setRate(muscle, rate);
+        inWorker([muscle, rate](SimulationWorker& w) { w.setRate(muscle, rate); });
+    });
+    connect(&m_document, &FaceDocument::skinRestChanged, this, [this] {
+        inWorker([rest = m_document.skinRest()](SimulationWorker& w) { w.setSkinRest(rest); });
+    });
+    connect(m_muscles, &MusclePanel::ratesEdited, this,
+            [this](const std::vector<int>& which, double rate, int gesture, const QString& title) {
+                m_document.undoStack()->push(new SetRatesCommand(
+                    m_document, which, std::vector<double>(which.size(), rate), gesture, title));
+            });
+    connect(m_muscles, &MusclePanel::resetRequested, this, &MainWindow::restMuscles);
+    connect(m_layers, &LayerPanel::layersEdited, this, [this] {
+        if (m_scene) {
+            m_scene->set_layers(m_layers->layers());
+            m_view->update();
+        }
+    });
+    connect(m_guide, &LandmarkGuide::completed, this, &MainWindow::landmarksPlaced);
+    connect(m_guide, &LandmarkGuide::changed, this, [this] {
+        if (m_scene) {
+            m_scene->scene().markers.clear();
+            for (const auto& [name, landmark] : m_guide->placed()) {
+                m_scene->scene().markers.push_back(
+                    {landmark.position.cast<float>(), {0.35F, 0.78F, 1.0F}, 6.0F});
+            }
+            m_view->update();
+        }
+    });
+
+    auto* note = new QLabel(tr("A planning and communication aid, not a medical device"));
+    note->setStyleSheet(QStringLiteral("color: #8d99a5; padding: 0 10px;"));
+    m_state = new QLabel;
+    m_progress = new QProgressBar;
+    m_progress->setMaximumWidth(220);
+    m_cancel = new QPushButton(tr("Cancel"));
+    statusBar()->addPermanentWidget(m_progress);
+    statusBar()->addPermanentWidget(m_cancel);
+    statusBar()->addPermanentWidget(m_state);
+    statusBar()->addPermanentWidget(note);
+    m_progress->hide();
+    m_cancel->hide();
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        if (m_job) {
+            m_job->cancel();
+        }
+    });
+}
+
+MainWindow::~MainWindow() {
+    m_job.reset();
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void MainWindow::buildDocks() {
+    const auto dock = [this](const QString& title, const QString& name, QWidget* content,
+                             Qt::DockWidgetArea area) {
+        auto* result = new QDockWidget(title);
+        result->setObjectName(name);
+        result->setWidget(content);
+        result->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+        addDockWidget(area, result);
+        return result;
+    };
+    m_muscles = new MusclePanel;
+    m_muscles->setMinimumWidth(310);
+    m_layers = new LayerPanel;
+    m_scanPanel = new ScanPanel;
+    m_scanPanel->setMinimumWidth(230);
+    dock(tr("Muscles"), QStringLiteral("muscles"), m_muscles, Qt::RightDockWidgetArea);
+    auto* layers =
+        dock(tr("Layers"), QStringLiteral("layers"), m_layers, Qt::LeftDockWidgetArea);
+    auto* scan = dock(tr("Scan"), QStringLiteral("scan"), m_scanPanel, Qt::LeftDockWidgetArea);
+    splitDockWidget(layers, scan, Qt::Vertical);
+    resizeDocks({layers, scan}, {190, 500}, Qt::Vertical);
+    m_layers->setEnabled(false);
+    m_muscles->setEnabled(false);
+}
+
+void MainWindow::buildActions() {
+    const auto add = [this](QMenu* menu, const QString& text, const QKeySequence& key,
+                            auto&& call) {
+        QAction* action = menu->addAction(text);
+        action->setShortcut(key);
+        connect(action, &QAction::triggered, this, call);
+        return action;
+    };
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    add(file, tr("&Open…"), QKeySequence::Open, [this] { chooseFile(); });
+    m_recent = file->addMenu(tr("Open &recent"));
+    connect(m_recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+    add(file, tr("Open the &built-in face"), {}, [this] { openPath(QStringLiteral("generic")); });
+    add(file, tr("Open &landmarks…"), QKeySequence(tr("Ctrl+L")), [this] { chooseLandmarks(); });
+    add(file, tr("&Place landmarks by hand"), {}, [this] {
+        if (m_document.opened()) {
+            m_view->setPickMode(true);
+            m_guide->begin();
+        }
+    });
+    file->addSeparator();
+    add(file, tr("&Save case…"), QKeySequence::Save, [this] { saveCase(); });
+    add(file, tr("&Export face…"), QKeySequence(tr("Ctrl+E")), [this] { saveScan(); });
+    add(file, tr("Export p&icture…"), QKeySequence(tr("Ctrl+Shift+E")),
+        [this] { savePicture(); });
+    file->addSeparator();
+    add(file, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = m_document.undoStack()->createUndoAction(this, tr("&Undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    QAction* redo = m_document.undoStack()->createRedoAction(this, tr("&Redo"));
+    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    edit->addActions({undo, redo});
+    edit->addSeparator();
+    add(edit, tr("All muscles at &rest"), {}, [this] { restMuscles(); });
+    QAction* reset = add(edit, tr("Reset &face"), {}, [this] { resetFace(); });
+    reset->setToolTip(tr("Back to the scan: muscles at rest, shape as it came"));
+
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    struct StandardView {
+        QString title;
+        const char* name;
+        const char* key;
+    };
+    for (const StandardView& v :
+         {StandardView{tr("&Front"), "front", "Ctrl+1"},
+          StandardView{tr("Patient's &left"), "left", "Ctrl+3"},
+          StandardView{tr("Patient's &right"), "right", "Ctrl+Shift+3"},
+          StandardView{tr("Three-quarter left"), "three-quarter-left", "Ctrl+5"},
+          StandardView{tr("Three-quarter right"), "three-quarter-right", "Ctrl+Shift+5"},
+          StandardView{tr("From &below"), "below", "Ctrl+7"},
+          StandardView{tr("From &above"), "above", "Ctrl+Shift+7"}}) {
+        add(view, v.title, QKeySequence(QString::fromLatin1(v.key)),
+            [this, name = QString::fromLatin1(v.name)] { m_view->showStandardView(name); });
+    }
+    view->addSeparator();
+    QAction* orthographic = view->addAction(tr("&Orthographic"));
+    orthographic->setCheckable(true);
+    orthographic->setShortcut(QKeySequence(tr("Ctrl+P")));
+    connect(orthographic, &QAction::toggled, m_view, &FaceView::setOrthographic);
+
+    auto* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setMovable(false);
+    auto* tools = new QActionGroup(this);
+    struct ToolEntry {
+        QString title, tip;
+        Tool tool;
+        const char* key;
+    };
+    for (const ToolEntry& entry :
+         {ToolEntry{tr("Turn"), tr("Left drag turns the head (Q)"), Tool::Navigate, "Q"},
+          ToolEntry{tr("Shape"),
+                    tr("Mouse priority: the skin point follows the cursor, depth comes from the "
+                       "tissue, the shape stays (W)"),
+                    Tool::Shape, "W"},
+          ToolEntry{tr("Feel"),
+                    tr("Constraint priority: a stress pulls at the skin, tissue holds it back, on "
+                       "release it springs back (E)"),
+                    Tool::Feel, "E"}}) {
+        QAction* action = bar->addAction(entry.title);
+        action->setCheckable(true);
+        action->setToolTip(entry.tip);
+        action->setShortcut(QKeySequence(QString::fromLatin1(entry.key)));
+        action->setObjectName(QStringLiteral("tool%1").arg(QString::fromLatin1(entry.key)));
+        tools->addAction(action);
+        connect(action, &QAction::triggered, this, [this, entry] {
+            m_view->setTool(entry.tool);
+            statusBar()->showMessage(entry.tip, 8000);
+        });
+        action->setChecked(entry.tool == Tool::Shape);
+    }
+    bar->addSeparator();
+    bar->addActions({undo, redo});
+    bar->addSeparator();
+    for (const auto& [title, name] : {std::pair(tr("Front"), "front"), std::pair(tr("Left"), "left"),
+                                      std::pair(tr("Right"), "right"),
+                                      std::pair(tr("¾ Left"), "three-quarter-left"),
+                                      std::pair(tr("¾ Right"), "three-quarter-right")}) {
+        QAction* action = bar->addAction(title);
+        connect(action, &QAction::triggered, this,
+                [this, n = QString::fromLatin1(name)] { m_view->showStandardView(n); });
+    }
+    bar->addSeparator();
+    QAction* before = bar->addAction(tr("Before"));
+    before->setCheckable(true);
+    before->setToolTip(tr("Shows the scan as it came; the space bar does so while it is held"));
+    connect(before, &QAction::toggled, this, &MainWindow::showBefore);
+    bar->addAction(reset);
+
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    add(help, tr("&Mouse and keys"), QKeySequence::HelpContents, [this] {
+        QMessageBox::information(
+            this, tr("Mouse and keys"),
+            tr("<p><b>Left drag on skin</b>: shape or feel, as the tool says<br>"
+               "<b>Left drag beside the face</b>, <b>Alt + left</b>, <b>middle</b>: turn<br>"
+               "<b>Right drag</b>, <b>Shift + middle</b>: pan · <b>Wheel</b>: zoom<br>"
+               "<b>Q W E</b>: turn, shape, feel · <b>Ctrl+1, 3, 5, 7</b>: standard views<br>"
+               "<b>Space</b>: hold to see the scan as it came · <b>Home</b>: whole head<br>"
+               "<b>Esc</b>: give up the gesture · <b>Ctrl+Z, Ctrl+Shift+Z</b>: undo, redo<br>"
+               "<b>Double click on a slider</b>: muscle at rest</p>"));
+    });
+    add(help, tr("&About Myoface"), {}, [this] { about(); });
+}
+
+void MainWindow::connectView() {
+    connect(m_view, &FaceView::gripped, this, [this](const SurfacePoint& where, const ViewRay& ray) {
+        DragRequest request;
+        request.where = where;
+        request.mode = m_view->tool() == Tool::Feel ? DragMode::ConstraintPriority
+                                                    : DragMode::MousePriority;
+        inWorker([request, ray](SimulationWorker& w) { w.beginDrag(request, ray); });
+    });
+    connect(m_view, &FaceView::pulled, this, [this](const ViewRay& ray) {
+        inWorker([ray](SimulationWorker& w) { w.moveDrag(ray); });
+    });
+    connect(m_view, &FaceView::released, this, [this](bool keep) {
+        const bool shape = m_view->tool() == Tool::Shape;
+        inWorker([keep, shape](SimulationWorker& w) { w.endDrag(keep && shape); });
+    });
+    connect(m_view, &FaceView::picked, this, [this](const Vec3& point) { m_guide->place(point); });
+    connect(m_view, &FaceView::beforeHeld, this, &MainWindow::showBefore);
+    connect(m_view, &FaceView::drawingFailed, this, &MainWindow::complain);
+}
+
+void MainWindow::openPath(const QString& path) { startJob(path, {}); }
+
+void MainWindow::startJob(const QString& path, const OpenOptions& options) {
+    m_job = std::make_unique<OpenJob>(path, options);
+    connect(m_job.get(), &OpenJob::finished, this, &MainWindow::jobFinished);
+    connect(m_job.get(), &OpenJob::progressed, this, [this](const QString& stage, int percent) {
+        m_progress->setFormat(stage);
+        m_progress->setValue(percent);
+    });
+    m_progress->setValue(0);
+    m_progress->setFormat(tr("Opening"));
+    m_progress->show();
+    m_cancel->show();
+    m_job->start();
+}
+
+void MainWindow::jobFinished() {
+    m_progress->hide();
+    m_cancel->hide();
+    const std::unique_ptr<OpenJob> job = std::move(m_job);
+    OpenResult& result = job->result();
+    if (!result.problem.isEmpty()) {
+        complain(result.problem);  // the window stays as it was
+        Q_EMIT openFailed(result.problem);
+        return;
+    }
+    m_path = job->path();
+    showFace(result);
+    rememberRecent(m_path);
+    Q_EMIT opened();
+}
+
+void MainWindow::showFace(OpenResult& result) {
+    const OpenedFace& face = *result.opened;
+    m_view->setScene(nullptr);
+    m_scene = std::make_unique<FaceScene>(face.scan, face.texture);
+    m_shown.reset();
+    std::shared_ptr<const FaceModel> model;
+    if (result.simulator) {
+        model = std::make_shared<const FaceModel>(result.simulator->face());
+        m_scene->set_face(model, result.simulator->system().model.springs,
+                          result.simulator->system().chains);
+        m_muscles->setMuscles(model->muscles);
+        for (std::size_t m = 0; m < model->muscles.size(); ++m) {
+            m_muscles->setRate(static_cast<int>(m), result.simulator->contractions().rate[m]);
+        }
+        m_document.setFace(result.opened, model, result.simulator->contractions(),
+                           result.simulator->skin_rest());
+        m_view->setSkin(model->skin.mesh);
+        m_view->setPickMode(false);
+        m_guide->hide();
+        m_scanPanel->setFace(face, model.get(),
+                             static_cast<int>(result.simulator->system().model.springs.size()));
+        auto holder = std::make_shared<std::unique_ptr<Simulator>>(std::move(result.simulator));
+        inWorker([holder](SimulationWorker& w) { w.setSimulator(std::move(*holder)); });
+    } else {
+        m_document.setFace(result.opened, nullptr, {}, {});
+        m_view->setSkin(face.scan->mesh);
+        m_scanPanel->setFace(face, nullptr, 0);
+        inWorker([](SimulationWorker& w) { w.setSimulator(nullptr); });
+        m_settled = true;
+        m_view->setPickMode(true);
+        m_guide->begin();
+        statusBar()->showMessage(
+            tr("This scan has no landmarks yet: click the points above, or open a landmark file."));
+    }
+    m_layers->setEnabled(model != nullptr);
+    m_muscles->setEnabled(model != nullptr);
+    m_scene->set_layers(m_layers->layers());
+    m_view->setScene(m_scene.get());
+    const auto [centre, radius] = faceSphere(face);
+    m_view->showStandardView(QStringLiteral("front"));
+    m_view->frameFace(centre, radius);
+    setWindowTitle(tr("%1 — Myoface").arg(QString::fromStdString(face.name)));
+}
+
+void MainWindow::chooseFile() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open a face"), QFileInfo(m_path).absolutePath(),
+        tr("Faces (*.obj *.ply *.myoface);;All files (*)"));
+    if (!path.isEmpty()) {
+        openPath(path);
+    }
+}
+
+void MainWindow::chooseLandmarks() {
+    if (!m_document.opened()) {
+        return;
+    }
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open landmarks"),
+                                                      QFileInfo(m_path).absolutePath(),
+                                                      tr("Landmarks (*.json);;All files (*)"));
+    if (!path.isEmpty()) {
+        OpenOptions options;
+        options.landmarks = path.toStdString();
+        startJob(m_path, options);
+    }
+}
+
+void MainWindow::landmarksPlaced() {
+    // Back into the file's own numbers: unit and axes are found anew from the points.
+    LandmarkFile file;
+    const FileFrame& frame = m_document.opened()->scan->frame;
+    for (const auto& [name, landmark] : m_guide->placed()) {
+        file.landmarks[name] = {frame.to_file(landmark.position), landmark.error_mm};
+    }
+    OpenOptions options;
+    options.placed = file;
+    startJob(m_path, options);
+}
+
+void MainWindow::saveScan() {
+    if (!m_document.model() || !m_shown) {
+        return;
+    }
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export the face as it is shown"), QFileInfo(m_path).absolutePath(),
+        tr("OBJ (*.obj);;PLY (*.ply)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    try {
+        write_mesh(path.toStdString(), *m_document.opened()->scan,
+                   scan_positions(*m_document.model(), m_shown->positions));
+        statusBar()->showMessage(tr("Written: %1").arg(path), 6000);
+    } catch (const Error& error) {
+        complain(QString::fromUtf8(error.what()));
+    }
+}
+
+void MainWindow::saveCase() {
+    if (!m_document.opened()) {
+        return;
+    }
+    QString path = QFileDialog::getSaveFileName(this, tr("Save the case"),
+                                                QFileInfo(m_path).absolutePath(),
+                                                tr("Myoface case (*.myoface)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (QFileInfo(path).suffix().isEmpty()) {
+        path += QStringLiteral(".myoface");
+    }
+    try {
+        CaseState state;
+        if (m_document.model()) {
+            state = case_state(*m_document.model(), m_document.contractions(),
+                               m_document.skinRest());
+        }
+        write_case(path.toStdString(), *m_document.opened(), state);
+        m_document.undoStack()->setClean();
+        rememberRecent(path);
+        statusBar()->showMessage(tr("Saved: %1").arg(path), 6000);
+    } catch (const Error& error) {
+        complain(QString::fromUtf8(error.what()));
+    }
+}
+
+void MainWindow::savePicture() {
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export a picture"), QFileInfo(m_path).absolutePath(), tr("PNG (*.png)"));
+    if (!path.isEmpty() && !m_view->grabFramebuffer().save(path)) {
+        complain(tr("%1: cannot be written.").arg(path));
+    }
+}
+
+void MainWindow::showSnapshot() {
+    const auto snapshot = m_box.take();
+    if (!snapshot || !m_scene || !m_document.model()) {
+        return;
+    }
+    const Eigen::Index nodes = m_document.model()->node_count();
+    if (snapshot->positions.cols() < nodes) {
+        return;  // of a face that was closed meanwhile
+    }
+    m_shown = snapshot;
+    m_view->setSkinPositions(snapshot->positions);
+    if (!m_before) {
+        m_scene->show(*snapshot);
+    }
+    SceneData& scene = m_scene->scene();
+    scene.markers.clear();
+    scene.strokes = {};
+    if (snapshot->dragging && snapshot->report.drag) {
+        const DragReport& drag = *snapshot->report.drag;
+        scene.markers.push_back({drag.reached.cast<float>(), {0.35F, 0.78F, 1.0F}, 6.0F});
+        if (drag.off_ray_mm > 0.3) {
+            // The gap between hand and skin.
+            scene.markers.push_back({drag.target.cast<float>(), {1.0F, 0.72F, 0.25F}, 4.0F});
+            scene.strokes.positions.resize(3, 2);
+            scene.strokes.positions << drag.reached.cast<float>(), drag.target.cast<float>();
+            scene.strokes.colours.resize(3, 2);
+            scene.strokes.colours.colwise() = Eigen::Vector3f(1.0F, 0.72F, 0.25F);
+            scene.strokes.indices = {0, 1};
+        }
+        m_state->setText(drag.mode == DragMode::ConstraintPriority
+                             ? tr("pull %1 N · %2 mm behind the hand")
+                                   .arg(drag.force_mN / 1000.0, 0, 'f', 1)
+                                   .arg(drag.off_ray_mm, 0, 'f', 1)
+                             : tr("hold %1 N").arg(drag.force_mN / 1000.0, 0, 'f', 1));
+    } else {
+        m_state->setText(tr("largest move %1 mm · %2")
+                             .arg(snapshot->report.max_displacement_mm, 0, 'f', 1)
+                             .arg(snapshot->report.converged ? tr("at rest") : tr("moving")));
+    }
+    m_view->update();
+    if (snapshot->report.converged && !snapshot->dragging) {
+        m_settled = true;
+        Q_EMIT cameToRest();
+    }
+}
+
+void MainWindow::dragFinished(const std::shared_ptr<const DragOutcome>& outcome) {
+    if (outcome->before.cols() != outcome->after.cols() || outcome->before == outcome->after) {
+        return;
+    }
+    const double moved = std::sqrt(
+        (outcome->after - outcome->before).colwise().squaredNorm().maxCoeff());
+    m_document.undoStack()->push(new ReshapeCommand(m_document, outcome->before, outcome->after,
+                                                    tr("shape by %1 mm").arg(moved, 0, 'f', 1)));
+}
+
+void MainWindow::restMuscles() {
+    std::vector<int> which;
+    const std::vector<double>& rates = m_document.contractions().rate;
+    for (std::size_t m = 0; m < rates.size(); ++m) {
+        if (rates[m] != 0.0) {
+            which.push_back(static_cast<int>(m));
+        }
+    }
+    if (!which.empty()) {
+        m_document.undoStack()->push(new SetRatesCommand(
+            m_document, which, std::vector<double>(which.size(), 0.0), -1, tr("muscles at rest")));
+    }
+}
+
+void MainWindow::resetFace() {
+    if (!m_document.model()) {
+        return;
+    }
+    m_document.undoStack()->beginMacro(tr("reset"));
+    restMuscles();
+    const Points& scan = m_document.model()->skin.mesh.vertices;
+    if (m_document.skinRest() != scan) {
+        m_document.undoStack()->push(
+            new ReshapeCommand(m_document, m_document.skinRest(), scan, tr("shape of the scan")));
+    }
+    m_document.undoStack()->endMacro();
+}
+
+void MainWindow::showBefore(bool held) {
+    m_before = held;
+    if (!m_scene || !m_document.model() || !m_shown) {
+        return;
+    }
+    SimSnapshot snapshot = *m_shown;
+    if (held) {
+        snapshot.positions.leftCols(m_document.model()->node_count()) =
+            m_document.model()->skin.mesh.vertices;
+    }
+    m_scene->show(snapshot);
+    m_view->update();
+}
+
+void MainWindow::setRates(const std::string& muscle, double rate) {
+    const std::vector<int> which = muscles_named(muscle);
+    m_document.undoStack()->push(new SetRatesCommand(m_document, which,
+                                                     std::vector<double>(which.size(), rate), -2,
+                                                     QString::fromStdString(muscle)));
+}
+
+void MainWindow::setLayers(const LayerOpacity& layers) {
+    m_layers->setLayers(layers);
+    if (m_scene) {
+        m_scene->set_layers(layers);
+    }
+    m_view->update();
+}
+
+void MainWindow::complain(const QString& sentence) {
+    m_lastProblem = sentence;
+    if (qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
+        statusBar()->showMessage(sentence);
+        return;
+    }
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Myoface"), sentence, QMessageBox::Ok, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+void MainWindow::rememberRecent(const QString& path) {
+    if (path == QStringLiteral("generic")) {
+        return;
+    }
+    QSettings settings;
+    QStringList files = settings.value(QString::fromLatin1(kRecentKey)).toStringList();
+    const QString full = QFileInfo(path).absoluteFilePath();
+    files.removeAll(full);
+    files.prepend(full);
+    settings.setValue(QString::fromLatin1(kRecentKey), QStringList(files.mid(0, kRecentFiles)));
+}
+
+void MainWindow::fillRecent() {
+    m_recent->clear();
+    const QStringList files = QSettings().value(QString::fromLatin1(kRecentKey)).toStringList();
+    for (const QString& path : files) {
+        QAction* action = m_recent->addAction(QFileInfo(path).fileName());
+        action->setToolTip(path);
+        connect(action, &QAction::triggered, this, [this, path] { openPath(path); });
+    }
+    if (files.isEmpty()) {
+        m_recent->addAction(tr("None yet"))->setEnabled(false);
+    }
+}
+
+void MainWindow::about() {
+    QMessageBox::about(
+        this, tr("About Myoface"),
+        tr("<h3>Myoface %1</h3><p>Facial surgery consultation simulator on a muscle-spring "
+           "model.</p><p>A planning and communication aid, not a medical device: what it shows is "
+           "an estimate, not a promise of a result.</p><p>Apache License 2.0.</p>")
+            .arg(QStringLiteral(MYOFACE_VERSION)));
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    openPath(event->mimeData()->urls().first().toLocalFile());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_document.undoStack()->isClean() ||
+        qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
+        event->accept();
+        return;
+    }
+    const auto answer = QMessageBox::question(
+        this, tr("Myoface"), tr("Save the changes to this face before closing?"),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save) {
+        saveCase();
+    }
+    const bool leave = answer == QMessageBox::Discard ||
+                       (answer == QMessageBox::Save && m_document.undoStack()->isClean());
+    event->setAccepted(leave);
+}
+
+}  // namespace myoface

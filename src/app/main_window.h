@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include <QLabel>
+#include <QMainWindow>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QThread>
+
+#include "face_document.h"
+#include "face_view.h"
+#include "simulation_worker.h"
+
+namespace myoface {
+
+class LandmarkGuide;
+class LayerPanel;
+class MusclePanel;
+class OpenJob;
+class ScanPanel;
+struct OpenResult;
+
+/// The only place where view, panels, document, undo and simulation meet.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+    MainWindow(const MainWindow&) = delete;
+    MainWindow& operator=(const MainWindow&) = delete;
+
+    /// Opens a scan, a case or "generic" beside the window.
+    void openPath(const QString& path);
+    FaceDocument& document() { return m_document; }
+    FaceView& view() { return *m_view; }
+    MusclePanel& muscles() { return *m_muscles; }
+    /// At rest: nothing opens and the newest state has been shown.
+    bool settled() const { return m_settled && !m_job; }
+    const QString& lastProblem() const { return m_lastProblem; }
+    void setRates(const std::string& muscle, double rate);
+    void setLayers(const LayerOpacity& layers);
+
+Q_SIGNALS:
+    void opened();
+    void openFailed(const QString& sentence);
+    void cameToRest();
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void buildActions();
+    void buildDocks();
+    void connectView();
+    void startJob(const QString& path, const struct OpenOptions& options);
+    void jobFinished();
+    void showFace(OpenResult& result);
+    void chooseFile();
+    void chooseLandmarks();
+    void saveScan();
+    void saveCase();
+    void savePicture();
+    void landmarksPlaced();
+    void showSnapshot();
+    void dragFinished(const std::shared_ptr<const DragOutcome>& outcome);
+    void resetFace();
+    void restMuscles();
+    void showBefore(bool held);
+    void complain(const QString& sentence);
+    void rememberRecent(const QString& path);
+    void fillRecent();
+    void about();
+    template <typename Call>
+    void inWorker(const Call& call);
+
+    FaceDocument m_document;
+    std::unique_ptr<FaceScene> m_scene;
+    FaceView* m_view = nullptr;
+    MusclePanel* m_muscles = nullptr;
+    LayerPanel* m_layers = nullptr;
+    ScanPanel* m_scanPanel = nullptr;
+    LandmarkGuide* m_guide = nullptr;
+    QLabel* m_state = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QPushButton* m_cancel = nullptr;
+    QMenu* m_recent = nullptr;
+    SnapshotBox m_box;
+    QThread m_thread;
+    SimulationWorker* m_worker = nullptr;
+    std::unique_ptr<OpenJob> m_job;
+    std::shared_ptr<const SimSnapshot> m_shown;
+    QString m_path, m_lastProblem;
+    bool m_settled = true;
+    bool m_before = false;
+};
+
+}  // namespace myoface

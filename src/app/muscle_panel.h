@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <QWidget>
+
+#include "myoface/face/face_model.h"
+
+namespace myoface {
+
+/// Sliders of all muscles by region, both sides linked or apart. Setters are silent; only the
+/// user's own edits are signalled.
+class MusclePanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MusclePanel(QWidget* parent = nullptr);
+
+    void setMuscles(const std::vector<Muscle>& muscles);
+    void setRate(int muscle, double rate);
+    QSlider* slider(int muscle) const;  ///< for tests and shortcuts
+
+Q_SIGNALS:
+    void ratesEdited(const std::vector<int>& muscles, double rate, int gesture,
+                     const QString& title);
+    void resetRequested();
+
+private:
+    struct Row {
+        QWidget* widget = nullptr;
+        QLabel* label = nullptr;
+        QSlider* slider = nullptr;
+        QLabel* value = nullptr;
+        QString title;
+        int muscle = -1;
+        int other = -1;  ///< muscle of the other side, -1 for midline muscles
+        bool right = false;
+    };
+    void addRow(QVBoxLayout* into, const std::vector<Muscle>& muscles, int muscle);
+    void showValue(Row& row);
+    void applyLink();
+    void applyFilter(const QString& text);
+
+    QCheckBox* m_linked = nullptr;
+    QLineEdit* m_filter = nullptr;
+    QWidget* m_list = nullptr;
+    QVBoxLayout* m_listLayout = nullptr;
+    std::vector<Row> m_rows;  ///< one per muscle, in the atlas' order
+    int m_gesture = 0;
+};
+
+}  // namespace myoface
