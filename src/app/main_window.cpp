@@ -576,7 +576,10 @@ void MainWindow::setRates(const std::string& muscle, double rate) {
     const std::vector<int> which = muscles_named(muscle);
     m_document.undoStack()->push(new SetRatesCommand(m_document, which,
                                                      std::vector<double>(which.size(), rate), -2,
-                                                     QString::fromStdString(muscle)));
+                                                     QString::fromStdString(
+                                                         m_document.model()
+                                                             ->muscles[static_cast<std::size_t>(which[0])]
+                                                             .traits.title)));
 }
 
 void MainWindow::setLayers(const LayerOpacity& layers) {

@@ -200,6 +200,10 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     auto scan = std::make_shared<Scan>(read_mesh(file, read, progress));
     face.report = describe(*scan, file);
     face.report.unit_is_guess = !landmarks && !options.mm_per_unit;
+    if (face.report.unit_is_guess && face.report.unit == "other") {
+        face.report.notes.emplace_back(
+            "The unit is not a usual one: give it with --unit, or landmarks that carry one.");
+    }
     std::string note;
     face.texture = load_texture(*scan, file, &note);
     if (!note.empty()) {

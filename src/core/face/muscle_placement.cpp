@@ -9,6 +9,7 @@
 
 #include "myoface/base/parallel.h"
 #include "myoface/mesh/bvh.h"
+#include "myoface/mesh/cut.h"
 #include "myoface/mesh/normals.h"
 
 namespace myoface {
@@ -84,7 +85,7 @@ Points resampled(const Points& path, int parts) {
 
 /// Muscles run straight: irons out what the skin over them has of its own.
 void even_out(Points& path) {
-    for (int pass = 0; pass < 6; ++pass) {
+    for (int pass = 0; pass < 2; ++pass) {
         const Points before = path;
         for (Eigen::Index k = 1; k + 1 < path.cols(); ++k) {
             path.col(k) = 0.5 * before.col(k) + 0.25 * (before.col(k - 1) + before.col(k + 1));
@@ -228,23 +229,35 @@ TriangleMesh bone_surface(const FaceModel& face, const SmoothFace& smooth) {
             smooth.vertices.col(v) -
             face.tissue[static_cast<std::size_t>(v)].depth * smooth.normals.col(v);
     }
-    const auto open = [&](const Vec3& p, Region region) {
+    // Above 0 where there is bone to show: cut along smooth lines, not along triangles.
+    std::vector<double> solid(static_cast<std::size_t>(skin.vertex_count()));
+    for (int v = 0; v < skin.vertex_count(); ++v) {
+        const Vec3 p = face.generic.col(v);
         const double x = std::abs(p.x());
-        const double orbit = std::hypot((x - 31.0) / 19.0, (p.y() - 17.0) / 15.5);
-        const double nose = std::hypot(x / (13.0 - 0.30 * (p.y() + 18.0)), (p.y() + 16.0) / 19.0);
-        const double mouth = std::hypot(x / 25.0, (p.y() + 52.0) / 6.0);
-        return region == Region::Ear || region == Region::Neck || p.z() < -95.0 ||
-               (p.z() > 40.0 && (orbit < 1.0 || (nose < 1.0 && x < 18.0) || mouth < 1.0));
-    };
+        const double ear = (Vec3(x, p.y(), p.z()) - Vec3(76.0, 3.0, -18.0)).norm() / 27.0 - 1.0;
+        const double neck = (p.y() + 74.0 + 0.42 * (p.z() - 10.0)) / 20.0;
+        double value = std::min(ear, neck);
+        if (p.z() > 40.0) {
+            const double orbit = std::hypot((x - 31.0) / 19.0, (p.y() - 17.0) / 15.5);
+            const double narrow = std::max(13.0 - 0.30 * (p.y() + 18.0), 2.0);
+            const double nose = std::hypot(x / narrow, (p.y() + 16.0) / 19.0);
+            const double mouth = std::hypot(x / 25.0, (p.y() + 52.0) / 6.0);
+            value = std::min({value, orbit - 1.0, nose - 1.0, mouth - 1.0});
+        }
+        solid[v] = value;
+    }
+    bone.triangles = skin.triangles;
+    SplitMesh cut = split_along_zero(
+        bone, solid, std::vector<bool>(static_cast<std::size_t>(skin.vertex_count()), true));
+    bone.vertices = cut.mesh.vertices;
     std::vector<Eigen::Vector3i> kept;
-    for (int t = 0; t < skin.triangle_count(); ++t) {
+    for (int t = 0; t < cut.mesh.triangle_count(); ++t) {
         bool gone = false;
-        for (int c = 0; c < 3; ++c) {
-            const int v = skin.triangles(c, t);
-            gone = gone || inner(face, v) || open(face.generic.col(v), face.tissue[static_cast<std::size_t>(v)].region);
+        for (const int v : cut.mesh.triangles.col(t)) {
+            gone = gone || cut.values[v] < 0.0 || (v < skin.vertex_count() && inner(face, v));
         }
         if (!gone) {
-            kept.emplace_back(skin.triangles.col(t));
+            kept.emplace_back(cut.mesh.triangles.col(t));
         }
     }
     bone.triangles.resize(3, static_cast<Eigen::Index>(kept.size()));

@@ -276,10 +276,6 @@ MeshReadReport describe(const Scan& scan, const std::filesystem::path& file) {
     if (!report.texture.empty() && !report.texture_found) {
         report.notes.push_back("The texture " + report.texture + " is not beside the file.");
     }
-    if (report.unit == "other") {
-        report.notes.emplace_back(
-            "The unit is not a usual one: give it with --unit, or landmarks that carry one.");
-    }
     return report;
 }
 
