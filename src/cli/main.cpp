@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& success) {
         return app.exit(success);
     } catch (const CLI::ParseError& error) {
-        complain(std::string(error.what()) + " Try --help.");
+        complain(std::string(error.what()) + (argc > 1 ? std::string(" (in: ") + argv[1] + ")" : "") +
+                 "; try --help.");
         return kWrongUsage;
     } catch (const myoface::Error& error) {
         complain(error.what());

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line as scripts use it: exit codes, files, one line of complaint.
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "myoface/io/image.h"
+#include "myoface/io/mesh_file.h"
+#include "myoface/io/text_file.h"
+#include "test_meshes.h"
+
+namespace myoface {
+namespace {
+
+struct Outcome {
+    int code = -1;
+    std::string out, err;
+};
+
+Outcome run(const std::string& program, const std::string& arguments) {
+    const test::TemporaryFolder folder;
+    const std::string out = (folder / "out").string();
+    const std::string err = (folder / "err").string();
+    const int status =
+        std::system((program + " " + arguments + " >" + out + " 2>" + err).c_str());
+    const auto text = [](const std::string& file) {
+        std::ifstream stream(file);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};
+}
+Outcome cli(const std::string& arguments) { return run(MYOFACE_CLI, arguments); }
+
+/// A generated face with landmarks beside it, for all tests of this process.
+struct Face {
+    test::TemporaryFolder folder;
+    std::string scan = (folder / "face.obj").string();
+
+    Face() {
+        const Outcome made = cli("generate --vertices 4000 -o " + scan + " --landmarks-out " +
+                                 (folder / "face.landmarks.json").string());
+        EXPECT_EQ(made.code, 0) << made.err;
+    }
+};
+const Face& face() {
+    static const Face kFace;
+    return kFace;
+}
+
+void expect_refusal(const std::string& arguments, int code, const std::string& words) {
+    const Outcome outcome = cli(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST(Info, TellsWhatIsInTheFile) {
+    const Outcome outcome = cli("info " + face().scan);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["unit"], "mm");
+    EXPECT_EQ(json["components"], 3);
+    EXPECT_EQ(json["landmarks"], 35);
+}
+
+TEST(Simulate, WithNothingToDoGivesTheFileBack) {
+    const std::string out = (face().folder / "same.obj").string();
+    ASSERT_EQ(cli("simulate " + face().scan + " --muscle risorius=0 -o " + out).code, 0);
+    EXPECT_EQ(read_mesh(out).file_vertices, read_mesh(face().scan).file_vertices);
+}
+
+TEST(Simulate, WritesTheReportThatIsDocumented) {
+    const std::string report = (face().folder / "r.json").string();
+    const std::string arguments =
+        "simulate " + face().scan + " --muscle zygomaticus_major=0.5 --strength risorius=0.5 " +
+        "--drag 'at=prn; view=left; move=-1,1; mode=mouse' -o " +
+        (face().folder / "s.ply").string() + " --report " + report;
+    ASSERT_EQ(cli(arguments).code, 0);
+    const auto json = nlohmann::json::parse(read_file(report));
+    for (const char* key : {"vertices", "springs", "muscles", "max_displacement_mm", "max_strain",
+                            "solver", "drags", "state_hash"}) {
+        EXPECT_TRUE(json.contains(key)) << key;
+    }
+    EXPECT_DOUBLE_EQ(json["muscles"]["zygomaticus_major.L"].get<double>(), 0.5);
+    for (const char* key : {"mode", "vertex", "target", "reached", "off_ray_mm",
+                            "view_force_residual", "stage_skin_mN", "stage_muscle_mN"}) {
+        EXPECT_TRUE(json["drags"][0].contains(key)) << key;
+    }
+    EXPECT_EQ(json["solver"]["converged"], true);
+    const std::string hash = json["state_hash"];
+    ASSERT_EQ(cli(arguments + " --threads 1").code, 0);
+    EXPECT_EQ(nlohmann::json::parse(read_file(report))["state_hash"], hash);
+}
+
+TEST(Simulate, ReplaysAPlan) {
+    const std::string plan = (face().folder / "plan.json").string();
+    std::ofstream(plan) << R"({"plan":[{"muscle":"mentalis","rate":0.5}]})";
+    const std::string a = (face().folder / "a.obj").string();
+    const std::string b = (face().folder / "b.obj").string();
+    ASSERT_EQ(cli("simulate " + face().scan + " --plan " + plan + " -o " + a).code, 0);
+    ASSERT_EQ(cli("simulate " + face().scan + " --muscle mentalis=0.5 -o " + b).code, 0);
+    EXPECT_EQ(read_file(a), read_file(b));
+}
+
+TEST(Fit, WritesCaseMusclesAndBone) {
+    const std::string file = (face().folder / "c.myoface").string();
+    const std::string muscles = (face().folder / "m.json").string();
+    const std::string bone = (face().folder / "b.ply").string();
+    ASSERT_EQ(cli("fit " + face().scan + " -o " + file + " --muscles-out " + muscles +
+                  " --bone-out " + bone)
+                  .code,
+              0);
+    const auto json = nlohmann::json::parse(read_file(muscles));
+    EXPECT_EQ(json["muscles"]["zygomaticus_major.L"]["kind"], "linear");
+    EXPECT_EQ(json["muscles"]["orbicularis_oris_upper"]["kind"], "sphincter");
+    EXPECT_EQ(json["muscles"]["orbicularis_oris_upper"]["points"].front(),
+              json["muscles"]["orbicularis_oris_upper"]["points"].back());
+    EXPECT_GT(read_mesh(bone).mesh.triangle_count(), 1000);
+    EXPECT_EQ(cli("simulate " + file + " --muscle procerus=1 -o " +
+                  (face().folder / "p.obj").string())
+                  .code,
+              0);
+}
+
+TEST(Convert, KeepsEveryVertex) {
+    const std::string ply = (face().folder / "t.ply").string();
+    const std::string obj = (face().folder / "t.obj").string();
+    ASSERT_EQ(cli("convert " + face().scan + " " + ply).code, 0);
+    ASSERT_EQ(cli("convert " + ply + " " + obj).code, 0);
+    EXPECT_EQ(read_mesh(obj).file_vertices, read_mesh(face().scan).file_vertices);
+    EXPECT_EQ(read_mesh(obj).faces.vertex, read_mesh(face().scan).faces.vertex);
+}
+
+TEST(Generate, DiffersBySexAndSeedOnly) {
+    const std::string a = (face().folder / "1.ply").string();
+    const std::string b = (face().folder / "2.ply").string();
+    ASSERT_EQ(cli("generate --sex f --age 22 --seed 7 --vertices 3000 -o " + a).code, 0);
+    ASSERT_EQ(cli("generate --sex f --age 22 --seed 7 --vertices 3000 -o " + b).code, 0);
+    EXPECT_EQ(read_file(a), read_file(b));
+    ASSERT_EQ(cli("generate --sex m --age 22 --seed 7 --vertices 3000 -o " + b).code, 0);
+    EXPECT_NE(read_file(a), read_file(b));
+}
+
+TEST(BadInput, EndsWithOneSentence) {
+    const std::string out = " -o " + (face().folder / "x.obj").string();
+    expect_refusal("info no-such-file.obj", 1, "there is no such file");
+    expect_refusal("simulate " + face().scan + " --muscle zygomaticus_mayor=1" + out, 1,
+                   "nearest name is 'zygomaticus_major'");
+    expect_refusal("simulate " + face().scan + " --muscle risorius=3" + out, 1, "between -0.5");
+    expect_refusal("simulate " + face().scan + " --muscle risorius" + out, 1, "NAME=NUMBER");
+    expect_refusal("simulate " + face().scan + " --drag at=tail" + out, 1, "neither a landmark");
+    expect_refusal("simulate " + face().scan + " --unit ell" + out, 1, "is not one of");
+    expect_refusal("simulate " + face().scan + " --unit m" + out, 1, "--unit");
+    expect_refusal("simulate " + face().scan + " --landmarks nowhere.json" + out, 1,
+                   "there is no such file");
+    expect_refusal("render " + face().scan + " --size 0x0 -o /tmp/never.png", 1, "size");
+    expect_refusal("render " + face().scan + " --layers fat -o /tmp/never.png", 1, "layer");
+    const std::string empty = (face().folder / "empty.ply").string();
+    std::ofstream(empty).flush();
+    expect_refusal("info " + empty, 1, "is empty");
+    const std::string half = (face().folder / "half.obj").string();
+    const std::string whole = read_file(face().scan);
+    write_file(half, whole.substr(0, whole.size() / 3));
+    expect_refusal("info " + half, 1, "no faces");
+}
+
+TEST(WrongUsage, EndsWithTwo) {
+    expect_refusal("simulate", 2, "--help");
+    expect_refusal("dance", 2, "dance");
+    expect_refusal("simulate " + face().scan + " --solver magic -o x.obj", 2, "solver");
+    expect_refusal("generate --sex x -o x.ply", 2, "sex");
+}
+
+TEST(Help, IsThere) {
+    EXPECT_EQ(cli("--help").code, 0);
+    EXPECT_EQ(cli("--version").code, 0);
+    EXPECT_NE(cli("simulate --help").out.find("--drag"), std::string::npos);
+}
+
+TEST(Render, DrawsWithoutADisplay) {
+    const std::string png = (face().folder / "r.png").string();
+    const Outcome outcome = run("env -u DISPLAY " MYOFACE_CLI,
+                                "render generic --layers skin --size 200x240 -o " + png);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Image image = read_image(png);
+    EXPECT_EQ(image.width, 200);
+    EXPECT_EQ(image.height, 240);
+}
+
+TEST(Desktop, WithoutOpenGlSaysSoInsteadOfAborting) {
+    const Outcome outcome =
+        run("env -u DISPLAY QT_QPA_PLATFORM=offscreen " MYOFACE_APP, "--screenshot /tmp/never.png");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("OpenGL"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace myoface

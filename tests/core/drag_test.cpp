@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/drag/drag.h"
+
+#include <gtest/gtest.h>
+
+#include "myoface/base/error.h"
+#include "myoface/mesh/bvh.h"
+#include "myoface/physics/forces.h"
+#include "myoface/sim/simulator.h"
+#include "test_meshes.h"
+
+namespace myoface {
+namespace {
+
+using test::small_model;
+
+SurfacePoint at_landmark(const FaceModel& face, const std::string& name) {
+    return Bvh(face.skin.mesh)
+        .closest_point(face.skin.mesh, face.landmarks.at(name).position)
+        .where;
+}
+
+SurfacePoint at_point(const FaceModel& face, const Vec3& place) {
+    return Bvh(face.skin.mesh).closest_point(face.skin.mesh, place).where;
+}
+
+/// A whole gesture seen along `view`, in `events` equal mouse moves.
+DragReport drag(Simulator& sim, const SurfacePoint& where, DragMode mode, const Vec3& view,
+                const Vec3& move, int events = 1, bool mirrored = false) {
+    DragRequest request;
+    request.where = where;
+    request.mode = mode;
+    request.mirrored = mirrored;
+    const Vec3 start = position(sim.face().skin.mesh, where);
+    sim.begin_drag(request, {start, view});
+    for (int k = 1; k <= events; ++k) {
+        sim.move_drag({start + move * k / events, view});
+        if (k < events) {
+            sim.step(15);
+        }
+    }
+    return *sim.settle().drag;
+}
+
+TEST(DepthPart, MovesThePointOnlyAlongTheViewRay) {
+    const auto face = small_model();
+    const FaceMassSpring system = build_mass_spring(*face, face->skin.mesh.vertices);
+    Points x = system.model.rest;
+    const int node = 100;
+    x.col(node) += Vec3(0.4, -0.7, 0.2);
+    const Vec3 view = Vec3(0.3, -0.2, -1.0).normalized();
+    const Vec3 move = depth_correction(system.model, x, node, view);
+    EXPECT_GT(move.norm(), 1e-4);
+    EXPECT_LT(move.cross(view).norm(), 1e-12);
+}
+
+TEST(DepthPart, AppliedInTurnMakesTheSpringForceAlongTheViewVanish) {
+    MassSpringModel model = test::spring_row(3, 50.0, 10.0, 1.0);
+    model.rest(2, 0) = model.rest(2, 2) = 4.0;
+    Points x = model.rest;
+    x.col(1) << 10.0, 2.0, 9.0;
+    const Vec3 view = -Vec3::UnitZ();
+    for (int k = 0; k < 200; ++k) {
+        x.col(1) += depth_correction(model, x, 1, view);
+    }
+    MassSpringState state = rest_state(model);
+    state.positions = x;
+    const Points forces = spring_forces(model, state, Vec3::Zero());
+    EXPECT_NEAR(forces(2, 1), 0.0, 1e-6);
+    EXPECT_DOUBLE_EQ(x(0, 1), 10.0);
+    EXPECT_DOUBLE_EQ(x(1, 1), 2.0);
+}
+
+TEST(DepthPart, DoesNotDivergeForStiffSprings) {
+    MassSpringModel model = test::spring_row(3, 1e9, 10.0, 1e-6);
+    Points x = model.rest;
+    x(2, 1) = 3.0;
+    for (int k = 0; k < 100; ++k) {
+        x.col(1) += depth_correction(model, x, 1, Vec3::UnitZ());
+    }
+    EXPECT_LT(std::abs(x(2, 1)), 3.0);
+}
+
+TEST(StressKernel, SumsToOneAndFadesWithTheDistanceAlongTheSurface) {
+    const auto face = small_model();
+    const Grip grip = grip_at(*face, at_landmark(*face, "prn"));
+    const StressKernel kernel = stress_kernel(*face, face->skin.mesh.vertices, grip, 15.0, 1.0);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < kernel.nodes.size(); ++k) {
+        sum += kernel.weights[k];
+        EXPECT_GE(kernel.weights[k], 0.0);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    EXPECT_GT(kernel.nodes.size(), 10U);
+}
+
+TEST(StressKernel, GoesFurtherAlongTheSameLabel) {
+    // A strip: the left half carries one label, the right half another.
+    FaceModel face;
+    face.skin.mesh = test::grid(21, 1.0);
+    face.adjacency = std::make_shared<Adjacency>(face.skin.mesh);
+    face.area = Eigen::VectorXd::Ones(441);
+    face.tissue.resize(441);
+    for (int v = 0; v < 441; ++v) {
+        face.label.push_back({Tissue::Skin, face.skin.mesh.vertices(0, v) <= 10.0 ? 0 : 1});
+    }
+    Grip grip;
+    grip.nodes = {10 * 21 + 10};
+    grip.weights = {1.0};
+    const StressKernel kernel =
+        stress_kernel(face, face.skin.mesh.vertices, grip, 6.0, 4.0);
+    double left = 0.0;
+    double right = 0.0;
+    for (const int node : kernel.nodes) {
+        const double x = face.skin.mesh.vertices(0, node) - 10.0;
+        left = std::max(left, -x);
+        right = std::max(right, x);
+    }
+    EXPECT_NEAR(left, 5.0, 1.01);
+    EXPECT_LE(right, 3.0);
+    EXPECT_GT(left, right);
+}
+
+TEST(MousePriority, EndsOnTheRayWithoutForceAlongIt) {
+    Simulator sim(small_model());
+    const DragReport report =
+        drag(sim, at_landmark(sim.face(), "prn"), DragMode::MousePriority, -Vec3::UnitX(),
+             Vec3(0.0, 4.0, 3.0));
+    EXPECT_LT(report.off_ray_mm, 0.05);
+    EXPECT_LT(report.view_force_residual, 0.01);
+    EXPECT_GT(report.force_mN, 100.0);
+}
+
+TEST(MousePriority, FindsItsOwnDepth) {
+    // A cheek dragged sideways goes back along the face, not through the air.
+    Simulator sim(small_model());
+    const SurfacePoint cheek = at_point(sim.face(), {38.0, -25.0, 80.0});
+    const Vec3 start = position(sim.face().skin.mesh, cheek);
+    const DragReport report =
+        drag(sim, cheek, DragMode::MousePriority, -Vec3::UnitZ(), Vec3(8.0, 0.0, 0.0));
+    EXPECT_LT(report.off_ray_mm, 0.05);
+    EXPECT_LT(report.reached.z() - start.z(), -1.0);
+    EXPECT_GT(report.reached.z() - start.z(), -10.0);
+}
+
+TEST(MousePriority, DoesNotDependOnTheNumberOfMouseEvents) {
+    Simulator once(small_model());
+    Simulator often(small_model());
+    const SurfacePoint chin = at_landmark(once.face(), "pg");
+    const Vec3 move(2.0, -3.0, 0.0);
+    const DragReport a = drag(once, chin, DragMode::MousePriority, -Vec3::UnitZ(), move, 1);
+    const DragReport b = drag(often, chin, DragMode::MousePriority, -Vec3::UnitZ(), move, 30);
+    EXPECT_LT((a.reached - b.reached).norm(), 0.05);
+    EXPECT_LT((once.state().positions - often.state().positions).cwiseAbs().maxCoeff(), 0.1);
+}
+
+TEST(MousePriority, KeepsTheShapeOnRelease) {
+    Simulator sim(small_model());
+    drag(sim, at_landmark(sim.face(), "prn"), DragMode::MousePriority, -Vec3::UnitX(),
+         Vec3(0.0, 3.0, 2.0));
+    const Points shown = sim.state().positions.leftCols(sim.face().node_count());
+    sim.end_drag(true);
+    sim.settle();
+    const Points after = sim.state().positions.leftCols(sim.face().node_count());
+    EXPECT_LT((after - shown).cwiseAbs().maxCoeff(), 1e-3);
+    EXPECT_GT((sim.skin_rest() - sim.face().skin.mesh.vertices).cwiseAbs().maxCoeff(), 2.5);
+}
+
+TEST(MousePriority, GivenUpSpringsBack) {
+    Simulator sim(small_model());
+    drag(sim, at_landmark(sim.face(), "ch_l"), DragMode::MousePriority, -Vec3::UnitZ(),
+         Vec3(4.0, 0.0, 0.0));
+    sim.end_drag(false);
+    sim.settle();
+    const Points left = sim.state().positions - sim.system().model.rest;
+    EXPECT_LT(left.leftCols(sim.face().node_count()).cwiseAbs().maxCoeff(), 2e-3);
+}
+
+TEST(MousePriority, MirroredMovesBothSidesAlike) {
+    Simulator sim(small_model());
+    const SurfacePoint corner = at_landmark(sim.face(), "ch_l");
+    drag(sim, corner, DragMode::MousePriority, -Vec3::UnitZ(), Vec3(3.0, 2.0, 0.0), 1, true);
+    const FaceModel& face = sim.face();
+    const auto moved = [&](const std::string& name) -> Vec3 {
+        const SurfacePoint where = at_landmark(face, name);
+        const TriangleMesh now{sim.state().positions.leftCols(face.node_count()),
+                               face.skin.mesh.triangles};
+        return position(now, where) - position(face.skin.mesh, where);
+    };
+    const Vec3 left = moved("ch_l");
+    const Vec3 right = moved("ch_r");
+    EXPECT_NEAR(left.x(), 3.0, 0.1);
+    EXPECT_NEAR(left.x(), -right.x(), 0.15);
+    EXPECT_NEAR(left.y(), right.y(), 0.15);
+    EXPECT_NEAR(left.z(), right.z(), 0.15);
+}
+
+TEST(ConstraintPriority, StaysBehindTheHandLessOnTheCheekThanOnTheForehead) {
+    Simulator forehead(small_model());
+    Simulator cheek(small_model());
+    const Vec3 move(5.0, 0.0, 0.0);
+    const DragReport f = drag(forehead, at_point(forehead.face(), {0.0, 60.0, 100.0}),
+                              DragMode::ConstraintPriority, -Vec3::UnitZ(), move);
+    const DragReport c = drag(cheek, at_point(cheek.face(), {38.0, -25.0, 80.0}),
+                              DragMode::ConstraintPriority, -Vec3::UnitZ(), move);
+    EXPECT_GT(f.off_ray_mm, 0.3);
+    EXPECT_GT(c.off_ray_mm, 0.3);
+    EXPECT_LT(5.0 - f.off_ray_mm, 5.0 - c.off_ray_mm);
+    EXPECT_GT(f.stage_skin_mN, 0.0);
+    EXPECT_GT(c.stage_skin_mN, 0.0);
+}
+
+TEST(ConstraintPriority, PassesOnToTheMuscleWhatTheSkinCannotTake) {
+    Simulator sim(small_model());
+    const DragReport report = drag(sim, at_landmark(sim.face(), "prn"),
+                                   DragMode::ConstraintPriority, -Vec3::UnitZ(),
+                                   Vec3(8.0, 0.0, 0.0));
+    EXPECT_GT(report.stage_skin_mN, 0.0);
+    EXPECT_GT(report.stage_muscle_mN, 0.0);
+    EXPECT_LE(report.strain_share, 1.31);
+}
+
+TEST(ConstraintPriority, ReachesFurtherForALongerPullAndNeverPastTheMouse) {
+    double last = 0.0;
+    for (const double way : {1.0, 3.0, 6.0, 12.0}) {
+        Simulator sim(small_model());
+        const SurfacePoint lip = at_landmark(sim.face(), "li");
+        const Vec3 start = position(sim.face().skin.mesh, lip);
+        const DragReport report = drag(sim, lip, DragMode::ConstraintPriority, -Vec3::UnitZ(),
+                                       Vec3(0.0, -way, 0.0));
+        const double reach = start.y() - report.reached.y();
+        EXPECT_GT(reach, last);
+        EXPECT_LT(reach, way);
+        last = reach;
+    }
+}
+
+TEST(ConstraintPriority, SpringsBackOnRelease) {
+    Simulator sim(small_model());
+    drag(sim, at_landmark(sim.face(), "pg"), DragMode::ConstraintPriority, -Vec3::UnitZ(),
+         Vec3(6.0, 0.0, 0.0));
+    sim.end_drag(true);
+    sim.settle();
+    const Points left = sim.state().positions - sim.system().model.rest;
+    EXPECT_LT(left.leftCols(sim.face().node_count()).cwiseAbs().maxCoeff(), 2e-3);
+    EXPECT_EQ(sim.skin_rest(), sim.face().skin.mesh.vertices);
+}
+
+TEST(Drag, OfWhatDoesNotMoveIsRefused) {
+    Simulator sim(small_model());
+    DragRequest request;
+    request.where = at_point(sim.face(), {0.0, 20.0, -100.0});  // back of the head
+    EXPECT_THROW(sim.begin_drag(request, {}), InvalidInput);
+}
+
+TEST(Drag, NeverExplodes) {
+    Simulator sim(small_model());
+    std::srand(11);
+    for (const char* name : {"prn", "ch_r", "ex_l", "pg", "ls"}) {
+        DragRequest request;
+        request.where = at_landmark(sim.face(), name);
+        const Vec3 start = position(sim.face().skin.mesh, request.where);
+        sim.begin_drag(request, {start, -Vec3::UnitZ()});
+        for (int k = 0; k < 12; ++k) {  // a wild hand
+            sim.move_drag({start + 40.0 * Vec3::Random(), -Vec3::UnitZ()});
+            sim.step(10);
+            ASSERT_TRUE(sim.state().positions.allFinite());
+            ASSERT_LT((sim.state().positions - sim.system().model.rest).cwiseAbs().maxCoeff(),
+                      150.0);
+        }
+        sim.end_drag(false);
+        sim.settle();
+    }
+    const Points left = sim.state().positions - sim.system().model.rest;
+    EXPECT_LT(left.leftCols(sim.face().node_count()).cwiseAbs().maxCoeff(), 5e-3);
+}
+
+}  // namespace
+}  // namespace myoface

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// On real faces, where their folder is there; skipped elsewhere.
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "myoface/base/error.h"
+#include "myoface/cases/case_file.h"
+#include "myoface/mesh/bvh.h"
+#include "myoface/sim/plan.h"
+#include "real_faces.h"
+
+namespace myoface {
+namespace {
+
+class RealFace : public ::testing::Test {
+protected:
+    void SetUp() override {
+        const auto folder = test::real_faces();
+        if (!folder) {
+            GTEST_SKIP() << "no folder of real faces (set MYOFACE_FACES)";
+        }
+        folder_ = *folder;
+    }
+    OpenedFace open(const std::string& name) const {
+        return open_face((folder_ / "faces" / (name + ".obj")).string());
+    }
+    static Vec3 moved_at(const Simulator& sim, const std::string& landmark) {
+        const FaceModel& face = sim.face();
+        const auto hit = Bvh(face.skin.mesh)
+                             .closest_point(face.skin.mesh, face.landmarks.at(landmark).position);
+        const TriangleMesh now{sim.state().positions.leftCols(face.node_count()),
+                               face.skin.mesh.triangles};
+        return position(now, hit.where) - hit.point;
+    }
+    std::filesystem::path folder_;
+};
+
+TEST_F(RealFace, SmilesWithZygomaticus) {
+    const auto sim = make_simulator(open("lee_perry_smith"));
+    run_plan(*sim, {ContractionEdit{"zygomaticus_major", 1.0}});
+    for (const auto& [corner, outwards] : {std::pair("ch_l", 1.0), std::pair("ch_r", -1.0)}) {
+        const Vec3 moved = moved_at(*sim, corner);
+        EXPECT_GT(moved.norm(), 8.0);
+        EXPECT_LT(moved.norm(), 15.0);
+        EXPECT_GT(outwards * moved.x(), 1.0);
+        EXPECT_GT(moved.y(), 1.0);
+        EXPECT_LT(moved.z(), -1.0);
+    }
+    const FaceModel& face = sim->face();
+    for (int i = 0; i < face.node_count(); ++i) {
+        if (face.tissue[static_cast<std::size_t>(i)].region == Region::Forehead) {
+            ASSERT_LT((sim->state().positions.col(i) - face.skin.mesh.vertices.col(i)).norm(), 0.5);
+        }
+    }
+}
+
+TEST_F(RealFace, KeepsTheRightCornerWhereTheLeftMuscleActs) {
+    const auto sim = make_simulator(open("lee_perry_smith"));
+    run_plan(*sim, {ContractionEdit{"zygomaticus_major.L", 1.0}});
+    EXPECT_GT(moved_at(*sim, "ch_l").norm(), 8.0);
+    EXPECT_LT(moved_at(*sim, "ch_r").norm(), 2.0);
+}
+
+TEST_F(RealFace, FollowsTheMouseAtTheNoseTip) {
+    const auto sim = make_simulator(open("lee_perry_smith"));
+    const PlanReport report = run_plan(*sim, {parse_drag("at=prn; view=left; move=-3,4")});
+    EXPECT_LT(report.drags.at(0).off_ray_mm, 0.05);
+    EXPECT_LT(report.drags.at(0).view_force_residual, 0.01);
+    EXPECT_TRUE(report.last.converged);
+}
+
+TEST_F(RealFace, OfEveryKindFitsAndSmilesWithoutTurningATriangleOver) {
+    for (const char* name : {"ict_neutral", "ict_id001", "meshmonk_template", "meshmonk_simpop_02",
+                             "makehuman_base", "mediapipe_canonical"}) {
+        const auto sim = make_simulator(open(name));
+        const PlanReport report = run_plan(*sim, {ContractionEdit{"zygomaticus_major", 1.0}});
+        EXPECT_TRUE(report.last.converged) << name;
+        const TriangleMesh& rest = sim->face().skin.mesh;
+        const TriangleMesh now{sim->state().positions.leftCols(rest.vertex_count()),
+                               rest.triangles};
+        int turned = 0;
+        for (int t = 0; t < rest.triangle_count(); ++t) {
+            turned += double_area_vector(rest, t).dot(double_area_vector(now, t)) < 0.0;
+        }
+        EXPECT_EQ(turned, 0) << name;
+        EXPECT_GT(moved_at(*sim, "ch_l").norm(), 5.0) << name;
+    }
+}
+
+TEST_F(RealFace, FilesOfAllKindsAreReadOrRefusedWithASentence) {
+    int files = 0;
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(folder_ / "bad_inputs")) {
+        const std::string extension = entry.path().extension().string();
+        if (!entry.is_regular_file() || extension == ".mtl" || extension == ".csv") {
+            continue;
+        }
+        ++files;
+        const auto start = std::chrono::steady_clock::now();
+        try {
+            const OpenedFace face = open_face(entry.path().string());
+            EXPECT_TRUE(face.scan->mesh.vertices.allFinite());
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find(entry.path().filename().string()),
+                      std::string::npos)
+                << error.what();
+        }
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5))
+            << entry.path();
+    }
+    EXPECT_GT(files, 40);
+}
+
+}  // namespace
+}  // namespace myoface

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "myoface/base/error.h"
+#include "myoface/io/mesh_file.h"
+#include "myoface/scene/camera.h"
+#include "myoface/scene/colour_map.h"
+#include "myoface/scene/face_scene.h"
+#include "test_meshes.h"
+
+namespace myoface {
+namespace {
+
+class BothProjections : public ::testing::TestWithParam<bool> {};
+
+TEST_P(BothProjections, ProjectAndRayAreInverse) {
+    Camera camera;
+    camera.orthographic = GetParam();
+    camera.target = Vec3(3, -4, 60);
+    camera.orientation = standard_view("three-quarter-left");
+    const Vec3 point(20, 30, 80);
+    const PixelPoint pixel = project(camera, point, 800, 600);
+    const ViewRay ray = view_ray(camera, pixel.x, pixel.y, 800, 600);
+    EXPECT_LT(distance_to_ray(ray, point), 1e-9);
+    EXPECT_NEAR(ray.direction.norm(), 1.0, 1e-12);
+}
+
+TEST_P(BothProjections, MatricesAgreeWithProject) {
+    Camera camera;
+    camera.orthographic = GetParam();
+    orbit(camera, 0.4, -0.2);
+    const Vec3 point(15, -20, 30);
+    const Eigen::Vector4d clip = camera.projection_matrix(800.0 / 600.0, 300.0) *
+                                 camera.view_matrix() * point.homogeneous();
+    const PixelPoint pixel = project(camera, point, 800, 600);
+    EXPECT_NEAR(400.0 * (1.0 + clip.x() / clip.w()), pixel.x, 1e-9);
+    EXPECT_NEAR(300.0 * (1.0 - clip.y() / clip.w()), pixel.y, 1e-9);
+    EXPECT_LT(std::abs(clip.z()), clip.w());
+}
+INSTANTIATE_TEST_SUITE_P(Camera, BothProjections, ::testing::Bool());
+
+TEST(StandardViews, LookFromTheSideTheyName) {
+    EXPECT_TRUE((standard_view("front") * Vec3::UnitZ()).isApprox(Vec3::UnitZ()));
+    EXPECT_TRUE((standard_view("left") * Vec3::UnitZ()).isApprox(Vec3::UnitX()));
+    EXPECT_TRUE((standard_view("right") * Vec3::UnitZ()).isApprox(-Vec3::UnitX()));
+    EXPECT_LT((standard_view("below") * Vec3::UnitZ()).y(), -0.5);
+    EXPECT_THROW(standard_view("inside"), InvalidInput);
+}
+
+TEST(Camera, KeepsTheHeadUprightWhileItOrbits) {
+    Camera camera;
+    for (int k = 0; k < 50; ++k) {
+        orbit(camera, 0.2, 0.0);
+    }
+    EXPECT_NEAR((camera.orientation * Vec3::UnitX()).y(), 0.0, 1e-9);
+}
+
+TEST(ColourMap, GrowsInLightness) {
+    double last = -1.0;
+    for (double v = 0.0; v <= 1.0; v += 0.05) {
+        const Eigen::Vector3f c = colour_map(v);
+        const double lightness = 0.2126 * c.x() + 0.7152 * c.y() + 0.0722 * c.z();
+        EXPECT_GT(lightness, last);
+        last = lightness;
+    }
+}
+
+TEST(FaceScene, ShowsAllFourLayersAndMovesThem) {
+    const auto face = test::small_model();
+    Simulator sim(face);
+    FaceScene scene(face->scan, nullptr);
+    scene.set_face(face, sim.system().model.springs, sim.system().chains);
+    scene.set_layers({1.0F, 1.0F, 1.0F, 1.0F});
+    SimSnapshot snapshot;
+    snapshot.positions = sim.state().positions;
+    scene.show(snapshot);
+    const FloatPoints before = scene.scene().skin.positions;
+    EXPECT_GT(scene.scene().muscles.indices.size(), 1000U);
+    EXPECT_GT(scene.scene().bone.indices.size(), 1000U);
+    EXPECT_EQ(scene.scene().springs.indices.size(), 2 * sim.system().model.springs.size());
+    sim.set_contraction(test::muscle(*face, "zygomaticus_major.L"), 1.0);
+    sim.settle();
+    snapshot.positions = sim.state().positions;
+    scene.show(snapshot);
+    EXPECT_GT((scene.scene().skin.positions - before).cwiseAbs().maxCoeff(), 5.0F);
+    EXPECT_TRUE(scene.scene().muscles.normals.allFinite());
+}
+
+TEST(SkinDrawing, SplitsVerticesAtTextureSeamsOnly) {
+    Scan scan = read_mesh_bytes(
+        "v 0 0 0\nv 200 0 0\nv 200 200 0\nv 0 200 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt .5 .5\n"
+        "f 1/1 2/2 3/3\nf 1/5 3/3 4/4\n",
+        "seam.obj");
+    EXPECT_EQ(SkinDrawing(scan).drawn_count(), 5);
+}
+
+}  // namespace
+}  // namespace myoface

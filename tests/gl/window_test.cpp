@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// The real window with real mouse events.
+#include "main_window.h"
+
+#include <QDropEvent>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <gtest/gtest.h>
+
+#include "muscle_panel.h"
+#include "myoface/io/mesh_file.h"
+#include "test_meshes.h"
+
+namespace myoface {
+namespace {
+
+constexpr int kPatience = 60000;  // [ms]
+
+/// A window with the small face opened from disk.
+class Window : public ::testing::Test {
+protected:
+    void SetUp() override {
+        path_ = QString::fromStdString((folder_ / "face.ply").string());
+        write_mesh(path_.toStdString(), test::small_face().scan,
+                   test::small_face().scan.mesh.vertices);
+        write_landmarks(folder_ / "face.landmarks.json", test::small_face().landmarks, {});
+        window_.resize(1200, 800);
+        window_.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
+    }
+    void open(const QString& path) {
+        QSignalSpy opened(&window_, &MainWindow::opened);
+        QSignalSpy failed(&window_, &MainWindow::openFailed);
+        window_.openPath(path);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() + failed.count() > 0; }, kPatience));
+    }
+    bool settle() {
+        return QTest::qWaitFor([&] { return window_.settled(); }, kPatience);
+    }
+    QPoint pixel(const std::string& landmark) {
+        FaceView& view = window_.view();
+        const PixelPoint p = project(view.camera(),
+                                     test::small_face().landmarks.at(landmark).position,
+                                     view.width(), view.height());
+        return {static_cast<int>(p.x), static_cast<int>(p.y)};
+    }
+    /// Press, move in steps, release: on the native window, so that drags are delivered.
+    void drag(const QPoint& from, const QPoint& by, Qt::MouseButton button = Qt::LeftButton) {
+        QWindow* native = window_.windowHandle();
+        const QPoint origin = window_.view().mapTo(&window_, from);
+        QTest::mousePress(native, button, {}, origin);
+        for (int k = 1; k <= 6; ++k) {
+            QTest::mouseMove(native, origin + by * k / 6);
+            QTest::qWait(40);
+        }
+        QTest::mouseRelease(native, button, {}, origin + by);
+    }
+
+    test::TemporaryFolder folder_;
+    QString path_;
+    MainWindow window_;
+};
+
+TEST_F(Window, OpensAFaceAndComesToRest) {
+    open(path_);
+    EXPECT_TRUE(window_.document().model());
+    EXPECT_TRUE(settle());
+    EXPECT_TRUE(window_.windowTitle().contains("face.ply"));
+}
+
+TEST_F(Window, ShapesTheSkinUnderTheMouseAndUndoesIt) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    const Points before = window_.document().skinRest();
+    drag(pixel("pg"), {0, 25});
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window_.document().undoStack()->count() == 1; }, kPatience));
+    ASSERT_TRUE(settle());
+    const double moved =
+        (window_.document().skinRest() - before).colwise().norm().maxCoeff();
+    EXPECT_GT(moved, 2.0);
+    EXPECT_LT(moved, 40.0);
+    window_.document().undoStack()->undo();
+    EXPECT_EQ(window_.document().skinRest(), before);
+    window_.document().undoStack()->redo();
+    EXPECT_NE(window_.document().skinRest(), before);
+    EXPECT_TRUE(settle());
+}
+
+TEST_F(Window, FeelsWithoutKeeping) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.view().setTool(Tool::Feel);
+    const Points before = window_.document().skinRest();
+    drag(pixel("pg"), {20, 0});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window_.document().undoStack()->count(), 0);
+    EXPECT_EQ(window_.document().skinRest(), before);
+}
+
+TEST_F(Window, TurnsTheHeadBesideTheFaceAndWithTheMiddleButton) {
+    open(path_);
+    const auto start = window_.view().camera().orientation;
+    drag({20, 20}, {60, 10});
+    const auto turned = window_.view().camera().orientation;
+    EXPECT_GT(start.angularDistance(turned), 0.1);
+    drag(pixel("prn"), {60, 0}, Qt::MiddleButton);
+    EXPECT_GT(turned.angularDistance(window_.view().camera().orientation), 0.1);
+    EXPECT_EQ(window_.document().undoStack()->count(), 0);
+}
+
+TEST_F(Window, SmilesWithTheSliderAndResets) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    const int m = test::muscle(*window_.document().model(), "zygomaticus_major.L");
+    window_.muscles().slider(m)->setValue(80);
+    EXPECT_DOUBLE_EQ(window_.document().contractions().rate[static_cast<std::size_t>(m)], 0.8);
+    EXPECT_DOUBLE_EQ(window_.document().contractions().rate[static_cast<std::size_t>(m) + 1], 0.8);
+    ASSERT_TRUE(settle());
+    window_.document().undoStack()->undo();
+    EXPECT_EQ(window_.muscles().slider(m)->value(), 0);
+    EXPECT_TRUE(settle());
+}
+
+TEST_F(Window, StaysAsItWasWhenAFileIsBad) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    const auto model = window_.document().model();
+    open(QStringLiteral("no/such/file.obj"));
+    EXPECT_TRUE(window_.lastProblem().contains("no such file"));
+    EXPECT_EQ(window_.document().model(), model);
+}
+
+TEST_F(Window, TakesAFileThatIsDroppedOnIt) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path_)});
+    QSignalSpy opened(&window_, &MainWindow::opened);
+    QDropEvent event(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window_, &event);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience));
+}
+
+TEST_F(Window, AsksForLandmarksOfAScanThatHasNone) {
+    std::filesystem::remove(folder_ / "face.landmarks.json");
+    open(path_);
+    EXPECT_FALSE(window_.document().model());
+    QSignalSpy opened(&window_, &MainWindow::opened);
+    const std::vector<std::string> names{"prn",  "sn",   "ls",   "sto",  "li",   "pg",   "en_l",
+                                         "en_r", "ex_l", "ex_r", "ch_l", "ch_r"};
+    for (const std::string& name : names) {
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, pixel(name));
+    }
+    // The tragi are seen from the sides.
+    for (const auto& [view, name] : {std::pair("left", "t_l"), std::pair("right", "t_r")}) {
+        window_.view().showStandardView(QString::fromLatin1(view));
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, pixel(name));
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience))
+        << window_.lastProblem().toStdString();
+    EXPECT_TRUE(window_.document().model());
+    EXPECT_TRUE(settle());
+}
+
+}  // namespace
+}  // namespace myoface

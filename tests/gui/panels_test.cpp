@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <gtest/gtest.h>
+
+#include "landmark_guide.h"
+#include "layer_panel.h"
+#include "muscle_panel.h"
+#include "test_meshes.h"
+
+namespace myoface {
+namespace {
+
+/// The panel with all muscles, and what it said.
+struct Panel {
+    MusclePanel panel;
+    std::vector<std::vector<int>> which;
+    std::vector<double> rates;
+    std::vector<int> gestures;
+
+    Panel() {
+        panel.setMuscles(test::small_model()->muscles);
+        QObject::connect(&panel, &MusclePanel::ratesEdited,
+                         [this](const std::vector<int>& w, double r, int g, const QString&) {
+                             which.push_back(w);
+                             rates.push_back(r);
+                             gestures.push_back(g);
+                         });
+    }
+    int muscle(const char* name) const { return test::muscle(*test::small_model(), name); }
+};
+
+TEST(MusclePanel, MovesBothSidesTogether) {
+    Panel p;
+    p.panel.slider(p.muscle("risorius.L"))->setValue(60);
+    ASSERT_EQ(p.which.size(), 1U);
+    EXPECT_EQ(p.which[0].size(), 2U);
+    EXPECT_DOUBLE_EQ(p.rates[0], 0.6);
+}
+
+TEST(MusclePanel, MovesOneSideWhenApart) {
+    Panel p;
+    p.panel.findChild<QCheckBox*>()->setChecked(false);
+    p.panel.slider(p.muscle("risorius.R"))->setValue(-20);
+    ASSERT_EQ(p.which.size(), 1U);
+    EXPECT_EQ(p.which[0], std::vector<int>{p.muscle("risorius.R")});
+}
+
+TEST(MusclePanel, IsSilentWhenTheDocumentSetsIt) {
+    Panel p;
+    p.panel.setRate(p.muscle("risorius.L"), 0.4);
+    EXPECT_TRUE(p.which.empty());
+    EXPECT_EQ(p.panel.slider(p.muscle("risorius.L"))->value(), 40);
+}
+
+TEST(MusclePanel, RestsAMuscleOnDoubleClick) {
+    Panel p;
+    QSlider* slider = p.panel.slider(p.muscle("procerus"));
+    slider->setValue(50);
+    QTest::mouseDClick(slider, Qt::LeftButton);
+    EXPECT_EQ(slider->value(), 0);
+}
+
+TEST(MusclePanel, AnswersTheKeyboardInStepsOfTheirOwn) {
+    Panel p;
+    QSlider* slider = p.panel.slider(p.muscle("mentalis.L"));
+    QTest::keyClick(slider, Qt::Key_Right);
+    QTest::keyClick(slider, Qt::Key_Right);
+    ASSERT_EQ(p.gestures.size(), 2U);
+    EXPECT_NE(p.gestures[0], p.gestures[1]);
+    EXPECT_NEAR(p.rates[1], 0.02, 1e-12);
+}
+
+TEST(MusclePanel, FindsMusclesByNameAndActionUnit) {
+    Panel p;
+    p.panel.show();
+    p.panel.findChild<QLineEdit*>()->setText(QStringLiteral("AU12"));
+    EXPECT_TRUE(p.panel.slider(p.muscle("zygomaticus_major.L"))->isVisible());
+    EXPECT_FALSE(p.panel.slider(p.muscle("procerus"))->isVisible());
+}
+
+TEST(LayerPanel, SaysOpacityOfWhatIsShown) {
+    LayerPanel panel;
+    QSignalSpy spy(&panel, &LayerPanel::layersEdited);
+    EXPECT_FLOAT_EQ(panel.layers().skin, 1.0F);
+    EXPECT_FLOAT_EQ(panel.layers().bone, 0.0F);
+    panel.setLayers({0.4F, 1.0F, 0.0F, 0.0F});
+    EXPECT_EQ(spy.count(), 0);
+    EXPECT_NEAR(panel.layers().skin, 0.4F, 0.011F);
+    panel.findChildren<QCheckBox*>().at(2)->click();
+    EXPECT_EQ(spy.count(), 1);
+    EXPECT_FLOAT_EQ(panel.layers().bone, 1.0F);
+}
+
+TEST(LandmarkGuide, AsksForOnePointAfterTheOther) {
+    LandmarkGuide guide;
+    QSignalSpy done(&guide, &LandmarkGuide::completed);
+    guide.begin();
+    for (int k = 0; guide.active() && k < 50; ++k) {
+        guide.place(Vec3(k, 0.0, 0.0));
+    }
+    EXPECT_EQ(done.count(), 1);
+    EXPECT_EQ(guide.placed().size(), 14U);
+    EXPECT_EQ(guide.placed().at("prn").position.x(), 0.0);
+}
+
+}  // namespace
+}  // namespace myoface
