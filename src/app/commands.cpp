@@ -15,8 +15,7 @@ SetRatesCommand::SetRatesCommand(FaceDocument& document, std::vector<int> muscle
 
 void SetRatesCommand::swap() {
     for (std::size_t i = 0; i < m_muscles.size(); ++i) {
-        const double shown =
-            m_document.contractions().rate[static_cast<std::size_t>(m_muscles[i])];
+        const double shown = m_document.contractions().rate[static_cast<std::size_t>(m_muscles[i])];
         m_document.setRate(m_muscles[i], std::exchange(m_other[i], shown));
     }
 }
@@ -28,8 +27,8 @@ bool SetRatesCommand::mergeWith(const QUndoCommand* other) {
     }
     bool back = true;
     for (std::size_t i = 0; i < m_muscles.size(); ++i) {
-        back = back && m_document.contractions().rate[static_cast<std::size_t>(m_muscles[i])] ==
-                           m_other[i];
+        back = back &&
+               m_document.contractions().rate[static_cast<std::size_t>(m_muscles[i])] == m_other[i];
     }
     setObsolete(back);  // the slider returned to where it began
     return true;

@@ -6,8 +6,8 @@ namespace myoface {
 FaceDocument::FaceDocument(QObject* parent) : QObject(parent) {}
 
 void FaceDocument::setFace(std::shared_ptr<const OpenedFace> opened,
-                           std::shared_ptr<const FaceModel> model,
-                           const Contractions& contractions, const Points& skinRest) {
+                           std::shared_ptr<const FaceModel> model, const Contractions& contractions,
+                           const Points& skinRest) {
     m_undoStack.clear();
     m_opened = std::move(opened);
     m_model = std::move(model);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// epoxy before any header of Qt that may bring another OpenGL loader
+// clang-format off: epoxy must come before any header of Qt that may bring another OpenGL loader
 #include <epoxy/gl.h>
-
-#include "face_view.h"
-
+// clang-format on
 #include <cmath>
 
 #include <QKeyEvent>
@@ -12,6 +10,8 @@
 #include <QWheelEvent>
 
 #include "myoface/base/error.h"
+
+#include "face_view.h"
 #include "renderer.h"
 
 namespace myoface {
@@ -26,7 +26,9 @@ FaceView::FaceView(QWidget* parent) : QOpenGLWidget(parent) {
     setAccessibleName(tr("Face"));
 }
 
-FaceView::~FaceView() { releaseRenderer(); }
+FaceView::~FaceView() {
+    releaseRenderer();
+}
 
 void FaceView::releaseRenderer() {
     if (m_renderer) {
@@ -199,7 +201,9 @@ void FaceView::mouseReleaseEvent(QMouseEvent* event) {
     updateCursor(hitAt(event->localPos()).has_value());
 }
 
-void FaceView::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+void FaceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    mousePressEvent(event);
+}
 
 void FaceView::wheelEvent(QWheelEvent* event) {
     const double steps = event->angleDelta().y() / 120.0;

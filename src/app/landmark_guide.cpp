@@ -6,9 +6,8 @@
 namespace myoface {
 
 LandmarkGuide::LandmarkGuide(QWidget* parent)
-    : QWidget(parent),
-      m_names{"prn", "sn", "ls", "sto", "li", "pg", "en_l", "en_r", "ex_l", "ex_r",
-              "ch_l", "ch_r", "t_l", "t_r"} {
+    : QWidget(parent), m_names{"prn",  "sn",   "ls",   "sto",  "li",   "pg",  "en_l",
+                               "en_r", "ex_l", "ex_r", "ch_l", "ch_r", "t_l", "t_r"} {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 8, 14, 8);
     m_question = new QLabel;

@@ -10,9 +10,10 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 
-#include "main_window.h"
 #include "myoface/base/error.h"
 #include "myoface/sim/plan.h"
+
+#include "main_window.h"
 #include "theme.h"
 
 namespace {
@@ -85,9 +86,9 @@ int main(int argc, char** argv) {
     parser.process(application);
 
     if (!hasOpenGl()) {
-        const QString sentence =
-            QObject::tr("This computer offers no OpenGL 3.3, which the 3D view needs. Install or "
-                        "update its graphics driver; myoface-cli works without.");
+        const QString sentence = QObject::tr(
+            "This computer offers no OpenGL 3.3, which the 3D view needs. Install or "
+            "update its graphics driver; myoface-cli works without.");
         std::fprintf(stderr, "myoface: %s\n", qPrintable(sentence));
         if (!parser.isSet(screenshot) && QApplication::platformName() != "offscreen") {
             QMessageBox::critical(nullptr, QStringLiteral("Myoface"), sentence);

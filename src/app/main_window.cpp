@@ -16,11 +16,12 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "myoface/base/error.h"
+
 #include "commands.h"
 #include "landmark_guide.h"
 #include "layer_panel.h"
 #include "muscle_panel.h"
-#include "myoface/base/error.h"
 #include "open_job.h"
 #include "scan_panel.h"
 
@@ -153,8 +154,7 @@ void MainWindow::buildDocks() {
     m_scanPanel = new ScanPanel;
     m_scanPanel->setMinimumWidth(230);
     dock(tr("Muscles"), QStringLiteral("muscles"), m_muscles, Qt::RightDockWidgetArea);
-    auto* layers =
-        dock(tr("Layers"), QStringLiteral("layers"), m_layers, Qt::LeftDockWidgetArea);
+    auto* layers = dock(tr("Layers"), QStringLiteral("layers"), m_layers, Qt::LeftDockWidgetArea);
     auto* scan = dock(tr("Scan"), QStringLiteral("scan"), m_scanPanel, Qt::LeftDockWidgetArea);
     splitDockWidget(layers, scan, Qt::Vertical);
     resizeDocks({layers, scan}, {190, 500}, Qt::Vertical);
@@ -185,8 +185,7 @@ void MainWindow::buildActions() {
     file->addSeparator();
     add(file, tr("&Save case…"), QKeySequence::Save, [this] { saveCase(); });
     add(file, tr("&Export face…"), QKeySequence(tr("Ctrl+E")), [this] { saveScan(); });
-    add(file, tr("Export p&icture…"), QKeySequence(tr("Ctrl+Shift+E")),
-        [this] { savePicture(); });
+    add(file, tr("Export p&icture…"), QKeySequence(tr("Ctrl+Shift+E")), [this] { savePicture(); });
     file->addSeparator();
     add(file, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 
@@ -258,10 +257,10 @@ void MainWindow::buildActions() {
     bar->addSeparator();
     bar->addActions({undo, redo});
     bar->addSeparator();
-    for (const auto& [title, name] : {std::pair(tr("Front"), "front"), std::pair(tr("Left"), "left"),
-                                      std::pair(tr("Right"), "right"),
-                                      std::pair(tr("¾ Left"), "three-quarter-left"),
-                                      std::pair(tr("¾ Right"), "three-quarter-right")}) {
+    for (const auto& [title, name] :
+         {std::pair(tr("Front"), "front"), std::pair(tr("Left"), "left"),
+          std::pair(tr("Right"), "right"), std::pair(tr("¾ Left"), "three-quarter-left"),
+          std::pair(tr("¾ Right"), "three-quarter-right")}) {
         QAction* action = bar->addAction(title);
         connect(action, &QAction::triggered, this,
                 [this, n = QString::fromLatin1(name)] { m_view->showStandardView(n); });
@@ -289,13 +288,14 @@ void MainWindow::buildActions() {
 }
 
 void MainWindow::connectView() {
-    connect(m_view, &FaceView::gripped, this, [this](const SurfacePoint& where, const ViewRay& ray) {
-        DragRequest request;
-        request.where = where;
-        request.mode = m_view->tool() == Tool::Feel ? DragMode::ConstraintPriority
-                                                    : DragMode::MousePriority;
-        inWorker([request, ray](SimulationWorker& w) { w.beginDrag(request, ray); });
-    });
+    connect(m_view, &FaceView::gripped, this,
+            [this](const SurfacePoint& where, const ViewRay& ray) {
+                DragRequest request;
+                request.where = where;
+                request.mode = m_view->tool() == Tool::Feel ? DragMode::ConstraintPriority
+                                                            : DragMode::MousePriority;
+                inWorker([request, ray](SimulationWorker& w) { w.beginDrag(request, ray); });
+            });
     connect(m_view, &FaceView::pulled, this, [this](const ViewRay& ray) {
         inWorker([ray](SimulationWorker& w) { w.moveDrag(ray); });
     });
@@ -308,7 +308,9 @@ void MainWindow::connectView() {
     connect(m_view, &FaceView::drawingFailed, this, &MainWindow::complain);
 }
 
-void MainWindow::openPath(const QString& path) { startJob(path, {}); }
+void MainWindow::openPath(const QString& path) {
+    startJob(path, {});
+}
 
 void MainWindow::startJob(const QString& path, const OpenOptions& options) {
     m_job = std::make_unique<OpenJob>(path, options);
@@ -385,9 +387,9 @@ void MainWindow::showFace(OpenResult& result) {
 }
 
 void MainWindow::chooseFile() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open a face"), QFileInfo(m_path).absolutePath(),
-        tr("Faces (*.obj *.ply *.myoface);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open a face"), QFileInfo(m_path).absolutePath(),
+                                     tr("Faces (*.obj *.ply *.myoface);;All files (*)"));
     if (!path.isEmpty()) {
         openPath(path);
     }
@@ -397,9 +399,9 @@ void MainWindow::chooseLandmarks() {
     if (!m_document.opened()) {
         return;
     }
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open landmarks"),
-                                                      QFileInfo(m_path).absolutePath(),
-                                                      tr("Landmarks (*.json);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open landmarks"), QFileInfo(m_path).absolutePath(),
+                                     tr("Landmarks (*.json);;All files (*)"));
     if (!path.isEmpty()) {
         OpenOptions options;
         options.landmarks = path.toStdString();
@@ -423,9 +425,9 @@ void MainWindow::saveScan() {
     if (!m_document.model() || !m_shown) {
         return;
     }
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export the face as it is shown"), QFileInfo(m_path).absolutePath(),
-        tr("OBJ (*.obj);;PLY (*.ply)"));
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export the face as it is shown"),
+                                                      QFileInfo(m_path).absolutePath(),
+                                                      tr("OBJ (*.obj);;PLY (*.ply)"));
     if (path.isEmpty()) {
         return;
     }
@@ -442,9 +444,9 @@ void MainWindow::saveCase() {
     if (!m_document.opened()) {
         return;
     }
-    QString path = QFileDialog::getSaveFileName(this, tr("Save the case"),
-                                                QFileInfo(m_path).absolutePath(),
-                                                tr("Myoface case (*.myoface)"));
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Save the case"), QFileInfo(m_path).absolutePath(),
+                                     tr("Myoface case (*.myoface)"));
     if (path.isEmpty()) {
         return;
     }
@@ -454,8 +456,8 @@ void MainWindow::saveCase() {
     try {
         CaseState state;
         if (m_document.model()) {
-            state = case_state(*m_document.model(), m_document.contractions(),
-                               m_document.skinRest());
+            state =
+                case_state(*m_document.model(), m_document.contractions(), m_document.skinRest());
         }
         write_case(path.toStdString(), *m_document.opened(), state);
         m_document.undoStack()->setClean();
@@ -524,8 +526,8 @@ void MainWindow::dragFinished(const std::shared_ptr<const DragOutcome>& outcome)
     if (outcome->before.cols() != outcome->after.cols() || outcome->before == outcome->after) {
         return;
     }
-    const double moved = std::sqrt(
-        (outcome->after - outcome->before).colwise().squaredNorm().maxCoeff());
+    const double moved =
+        std::sqrt((outcome->after - outcome->before).colwise().squaredNorm().maxCoeff());
     m_document.undoStack()->push(new ReshapeCommand(m_document, outcome->before, outcome->after,
                                                     tr("shape by %1 mm").arg(moved, 0, 'f', 1)));
 }
@@ -574,12 +576,10 @@ void MainWindow::showBefore(bool held) {
 
 void MainWindow::setRates(const std::string& muscle, double rate) {
     const std::vector<int> which = muscles_named(muscle);
-    m_document.undoStack()->push(new SetRatesCommand(m_document, which,
-                                                     std::vector<double>(which.size(), rate), -2,
-                                                     QString::fromStdString(
-                                                         m_document.model()
-                                                             ->muscles[static_cast<std::size_t>(which[0])]
-                                                             .traits.title)));
+    m_document.undoStack()->push(new SetRatesCommand(
+        m_document, which, std::vector<double>(which.size(), rate), -2,
+        QString::fromStdString(
+            m_document.model()->muscles[static_cast<std::size_t>(which[0])].traits.title)));
 }
 
 void MainWindow::setLayers(const LayerOpacity& layers) {
@@ -596,7 +596,8 @@ void MainWindow::complain(const QString& sentence) {
         statusBar()->showMessage(sentence);
         return;
     }
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Myoface"), sentence, QMessageBox::Ok, this);
+    auto* box =
+        new QMessageBox(QMessageBox::Warning, tr("Myoface"), sentence, QMessageBox::Ok, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
 }
@@ -646,8 +647,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_document.undoStack()->isClean() ||
-        qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
+    if (m_document.undoStack()->isClean() || qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
         event->accept();
         return;
     }

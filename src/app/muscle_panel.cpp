@@ -104,8 +104,8 @@ void MusclePanel::addRow(QVBoxLayout* into, const std::vector<Muscle>& muscles, 
     const MuscleTraits& traits = muscles[static_cast<std::size_t>(muscle)].traits;
     Row& row = m_rows[static_cast<std::size_t>(muscle)];
     row.muscle = muscle;
-    row.title = QString::fromStdString(
-        QLocale().language() == QLocale::Japanese ? traits.title_ja : traits.title);
+    row.title = QString::fromStdString(QLocale().language() == QLocale::Japanese ? traits.title_ja
+                                                                                 : traits.title);
     row.right = traits.side == Side::Right;
     if (traits.side == Side::Left) {
         row.other = muscle + 1;  // the atlas lists left and right next to each other
@@ -174,7 +174,7 @@ void MusclePanel::applyLink() {
         }
         const bool paired = row.other >= 0;
         const bool apart = paired && !m_linked->isChecked();
-        row.label->setText(!apart        ? row.title
+        row.label->setText(!apart      ? row.title
                            : row.right ? tr("%1, right").arg(row.title)
                                        : tr("%1, left").arg(row.title));
     }

@@ -28,12 +28,14 @@ void OpenJob::start() {
     m_thread->start();
 }
 
-void OpenJob::cancel() { m_progress.cancel(); }
+void OpenJob::cancel() {
+    m_progress.cancel();
+}
 
 void OpenJob::run() {
     try {
-        auto opened = std::make_shared<OpenedFace>(
-            open_face(m_path.toStdString(), m_options, &m_progress));
+        auto opened =
+            std::make_shared<OpenedFace>(open_face(m_path.toStdString(), m_options, &m_progress));
         if (opened->landmarks) {
             m_result.simulator = make_simulator(*opened, {}, &m_progress);
         }

@@ -34,7 +34,7 @@ void ScanPanel::setFace(const OpenedFace& face, const FaceModel* model, int spri
                         .arg(r.size_mm.z(), 0, 'f', 0));
     row(tr("Unit"), r.unit == "other" ? tr("%1 mm each").arg(r.mm_per_unit, 0, 'g', 5)
                                       : QString::fromStdString(r.unit));
-    row(tr("Colour"), face.texture      ? QString::fromStdString(r.texture)
+    row(tr("Colour"), face.texture    ? QString::fromStdString(r.texture)
                       : r.has_colours ? tr("per vertex")
                                       : tr("none"));
     if (model != nullptr) {

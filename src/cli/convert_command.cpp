@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "commands.h"
 #include "myoface/io/mesh_file.h"
+
+#include "commands.h"
 
 namespace myoface::cli {
 namespace {

@@ -7,7 +7,8 @@ namespace myoface::cli {
 
 void FaceArguments::add_to(CLI::App& command) {
     command.add_option("FACE", face, "OBJ, PLY or .myoface file, or the word generic")->required();
-    command.add_option("--landmarks", landmarks, "landmark file (JSON) in the scan's unit and axes");
+    command.add_option("--landmarks", landmarks,
+                       "landmark file (JSON) in the scan's unit and axes");
     command.add_option("--unit", unit, "unit of the scan: m dm cm mm in, or millimetres per unit");
     command.add_option("--axes", axes,
                        "where the scan's x, y and z point, +x left +y up +z front: such as +x-z+y");

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "myoface/base/error.h"
+
 #include "commands.h"
 #include "face_arguments.h"
-#include "myoface/base/error.h"
 #include "output.h"
 
 namespace myoface::cli {
@@ -27,9 +28,9 @@ void add_fit(CLI::App& app) {
     command->callback([a] {
         const OpenedFace opened = a->face.open();
         const auto simulator = make_simulator(opened);
-        write_case(a->output, opened,
-                   case_state(simulator->face(), simulator->contractions(),
-                              simulator->skin_rest()));
+        write_case(
+            a->output, opened,
+            case_state(simulator->face(), simulator->contractions(), simulator->skin_rest()));
         if (!a->muscles.empty()) {
             write_text(a->muscles, muscles_to_json(simulator->face()));
         }
@@ -44,8 +45,8 @@ void add_fit(CLI::App& app) {
                 }
                 bone.faces.start.push_back(static_cast<int>(bone.faces.vertex.size()));
             }
-            bone.file_vertices = bone.frame.axes.transpose() / bone.frame.mm_per_unit *
-                                 bone.mesh.vertices;
+            bone.file_vertices =
+                bone.frame.axes.transpose() / bone.frame.mm_per_unit * bone.mesh.vertices;
             write_mesh(a->bone, bone, bone.mesh.vertices);
         }
     });

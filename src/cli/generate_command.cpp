@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "commands.h"
 #include "myoface/base/error.h"
 #include "myoface/face/generic_face.h"
 #include "myoface/io/mesh_file.h"
+
+#include "commands.h"
 
 namespace myoface::cli {
 namespace {

@@ -4,8 +4,9 @@
 #include <iostream>
 #include <string>
 
-#include "commands.h"
 #include "myoface/base/error.h"
+
+#include "commands.h"
 
 namespace {
 
@@ -20,7 +21,8 @@ void complain(std::string message) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Myoface without a window. A planning and communication aid, not a medical device."};
+    CLI::App app{
+        "Myoface without a window. A planning and communication aid, not a medical device."};
     app.require_subcommand(1);
     app.set_version_flag("--version", MYOFACE_VERSION);
     try {
@@ -35,8 +37,8 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& success) {
         return app.exit(success);
     } catch (const CLI::ParseError& error) {
-        complain(std::string(error.what()) + (argc > 1 ? std::string(" (in: ") + argv[1] + ")" : "") +
-                 "; try --help.");
+        complain(std::string(error.what()) +
+                 (argc > 1 ? std::string(" (in: ") + argv[1] + ")" : "") + "; try --help.");
         return kWrongUsage;
     } catch (const myoface::Error& error) {
         complain(error.what());

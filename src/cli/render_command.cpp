@@ -4,11 +4,12 @@
 #include <memory>
 #include <sstream>
 
-#include "commands.h"
-#include "face_arguments.h"
 #include "myoface/base/error.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/scene/face_scene.h"
+
+#include "commands.h"
+#include "face_arguments.h"
 #include "picture.h"
 
 namespace myoface::cli {

@@ -5,9 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "myoface/base/parallel.h"
+
 #include "commands.h"
 #include "face_arguments.h"
-#include "myoface/base/parallel.h"
 #include "output.h"
 
 namespace myoface::cli {
@@ -78,7 +79,8 @@ std::string report_json(const Simulator& simulator, const PlanReport& plan) {
 }  // namespace
 
 void add_simulate(CLI::App& app) {
-    auto* command = app.add_subcommand("simulate", "Contract muscles and drag skin, without a window");
+    auto* command =
+        app.add_subcommand("simulate", "Contract muscles and drag skin, without a window");
     auto a = std::make_shared<Arguments>();
     a->face.add_to(*command);
     a->edits.add_to(*command);

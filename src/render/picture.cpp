@@ -3,17 +3,18 @@
 
 #include <epoxy/gl.h>
 // epoxy's EGL must come after its GL
-#include <epoxy/egl.h>
-
 #include <array>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 
+#include <epoxy/egl.h>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "myoface/base/error.h"
+
 #include "renderer.h"
 
 namespace myoface {
@@ -58,8 +59,8 @@ private:
 class Surfaceless final : public Context {
 public:
     Surfaceless() {
-        display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY,
-                                            nullptr);
+        display_ =
+            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
         if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
             throw Error("No OpenGL: neither a display nor surfaceless EGL is there.");
         }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer.h"
 
-#include <epoxy/gl.h>
-
 #include <vector>
+
+#include <epoxy/gl.h>
 
 #include "myoface/base/error.h"
 #include "myoface/base/resources.h"
@@ -50,7 +50,9 @@ unsigned link(const std::string& name) {
     return program;
 }
 
-int uniform(unsigned program, const char* name) { return glGetUniformLocation(program, name); }
+int uniform(unsigned program, const char* name) {
+    return glGetUniformLocation(program, name);
+}
 
 void set(unsigned program, const char* name, const Eigen::Matrix4f& value) {
     glUniformMatrix4fv(uniform(program, name), 1, GL_FALSE, value.data());
@@ -75,8 +77,8 @@ void fill(unsigned& buffer, unsigned attribute, int components, const Matrix& da
         glGenBuffers(1, &buffer);
     }
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)),
-                 data.data(), use);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)), data.data(),
+                 use);
     glEnableVertexAttribArray(attribute);
     glVertexAttribPointer(attribute, components, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
@@ -116,8 +118,8 @@ void Renderer::release() {
         *program = 0;
     }
     for (Surface& s : surfaces_) {
-        for (unsigned* buffer : {&s.positions, &s.normals, &s.colours, &s.cavity, &s.uv,
-                                 &s.indices}) {
+        for (unsigned* buffer :
+             {&s.positions, &s.normals, &s.colours, &s.cavity, &s.uv, &s.indices}) {
             glDeleteBuffers(1, buffer);
         }
         glDeleteTextures(1, &s.texture);
@@ -153,9 +155,8 @@ void Renderer::upload_fixed(Surface& surface, const SurfaceLayer& layer) {
         glGenTextures(1, &surface.texture);
         glBindTexture(GL_TEXTURE_2D, surface.texture);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, layer.texture->width,
-                     layer.texture->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                     layer.texture->rgba.data());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, layer.texture->width, layer.texture->height,
+                     0, GL_RGBA, GL_UNSIGNED_BYTE, layer.texture->rgba.data());
         glGenerateMipmap(GL_TEXTURE_2D);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -312,8 +313,8 @@ void Renderer::draw_markers(const SceneData& scene, float pixel_ratio) {
         glGenBuffers(1, &marker_buffer_);
     }
     glBindBuffer(GL_ARRAY_BUFFER, marker_buffer_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)),
-                 data.data(), GL_STREAM_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)), data.data(),
+                 GL_STREAM_DRAW);
     constexpr int kStride = 7 * sizeof(float);
     const auto offset = [](std::size_t floats) {
         return reinterpret_cast<const void*>(floats * sizeof(float));

@@ -55,8 +55,7 @@ int main(int argc, char** argv) try {
         return 2;
     }
     const GenericFace generic = make_generic_face();
-    const auto fitted =
-        fit_face(std::make_shared<const Scan>(generic.scan), generic.landmarks);
+    const auto fitted = fit_face(std::make_shared<const Scan>(generic.scan), generic.landmarks);
     std::map<std::string, double> gain;
     for (const Muscle& muscle : fitted->muscles) {
         gain[muscle.traits.base_name] = muscle.traits.gain;

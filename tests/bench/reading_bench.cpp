@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
 #include <map>
+#include <unistd.h>
 
 #include <benchmark/benchmark.h>
 

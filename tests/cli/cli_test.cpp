@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line as scripts use it: exit codes, files, one line of complaint.
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <sys/wait.h>
 
 #include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
 #include "myoface/io/image.h"
 #include "myoface/io/mesh_file.h"
 #include "myoface/io/text_file.h"
+
 #include "test_meshes.h"
 
 namespace myoface {
@@ -27,15 +26,16 @@ Outcome run(const std::string& program, const std::string& arguments) {
     const test::TemporaryFolder folder;
     const std::string out = (folder / "out").string();
     const std::string err = (folder / "err").string();
-    const int status =
-        std::system((program + " " + arguments + " >" + out + " 2>" + err).c_str());
+    const int status = std::system((program + " " + arguments + " >" + out + " 2>" + err).c_str());
     const auto text = [](const std::string& file) {
         std::ifstream stream(file);
         return std::string(std::istreambuf_iterator<char>(stream), {});
     };
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};
 }
-Outcome cli(const std::string& arguments) { return run(MYOFACE_CLI, arguments); }
+Outcome cli(const std::string& arguments) {
+    return run(MYOFACE_CLI, arguments);
+}
 
 /// A generated face with landmarks beside it, for all tests of this process.
 struct Face {
@@ -77,10 +77,10 @@ TEST(Simulate, WithNothingToDoGivesTheFileBack) {
 
 TEST(Simulate, WritesTheReportThatIsDocumented) {
     const std::string report = (face().folder / "r.json").string();
-    const std::string arguments =
-        "simulate " + face().scan + " --muscle zygomaticus_major=0.5 --strength risorius=0.5 " +
-        "--drag 'at=prn; view=left; move=-1,1; mode=mouse' -o " +
-        (face().folder / "s.ply").string() + " --report " + report;
+    const std::string arguments = "simulate " + face().scan +
+                                  " --muscle zygomaticus_major=0.5 --strength risorius=0.5 " +
+                                  "--drag 'at=prn; view=left; move=-1,1; mode=mouse' -o " +
+                                  (face().folder / "s.ply").string() + " --report " + report;
     ASSERT_EQ(cli(arguments).code, 0);
     const auto json = nlohmann::json::parse(read_file(report));
     for (const char* key : {"vertices", "springs", "muscles", "max_displacement_mm", "max_strain",
@@ -122,10 +122,10 @@ TEST(Fit, WritesCaseMusclesAndBone) {
     EXPECT_EQ(json["muscles"]["orbicularis_oris_upper"]["points"].front(),
               json["muscles"]["orbicularis_oris_upper"]["points"].back());
     EXPECT_GT(read_mesh(bone).mesh.triangle_count(), 1000);
-    EXPECT_EQ(cli("simulate " + file + " --muscle procerus=1 -o " +
-                  (face().folder / "p.obj").string())
-                  .code,
-              0);
+    EXPECT_EQ(
+        cli("simulate " + file + " --muscle procerus=1 -o " + (face().folder / "p.obj").string())
+            .code,
+        0);
 }
 
 TEST(Convert, KeepsEveryVertex) {
@@ -166,7 +166,7 @@ TEST(BadInput, EndsWithOneSentence) {
     expect_refusal("info " + empty, 1, "is empty");
     const std::string half = (face().folder / "half.obj").string();
     const std::string whole = read_file(face().scan);
-    write_file(half, whole.substr(0, whole.size() / 3));
+    write_file(half, whole.substr(0, whole.rfind('\n', whole.size() / 3) + 1));
     expect_refusal("info " + half, 1, "no faces");
 }
 
@@ -185,8 +185,8 @@ TEST(Help, IsThere) {
 
 TEST(Render, DrawsWithoutADisplay) {
     const std::string png = (face().folder / "r.png").string();
-    const Outcome outcome = run("env -u DISPLAY " MYOFACE_CLI,
-                                "render generic --layers skin --size 200x240 -o " + png);
+    const Outcome outcome =
+        run("env -u DISPLAY " MYOFACE_CLI, "render generic --layers skin --size 200x240 -o " + png);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Image image = read_image(png);
     EXPECT_EQ(image.width, 200);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "myoface/mesh/bvh.h"
+
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "myoface/mesh/bvh.h"
 #include "test_meshes.h"
 
 namespace myoface {
@@ -22,8 +23,8 @@ TEST(Bvh, FindsTheClosestPointThatBruteForceFinds) {
         const Vec3 query = random_point(random, 20.0);
         double least = 1e9;
         for (int t = 0; t < mesh.triangle_count(); ++t) {
-            const Vec3 w = closest_barycentric(mesh.corner(t, 0), mesh.corner(t, 1),
-                                               mesh.corner(t, 2), query);
+            const Vec3 w =
+                closest_barycentric(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), query);
             least = std::min(least, (position(mesh, {t, w}) - query).norm());
         }
         const ClosestPoint found = bvh.closest_point(mesh, query);

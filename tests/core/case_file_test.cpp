@@ -7,6 +7,7 @@
 
 #include "myoface/base/error.h"
 #include "myoface/io/text_file.h"
+
 #include "test_meshes.h"
 
 namespace myoface {

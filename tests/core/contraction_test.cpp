@@ -5,6 +5,7 @@
 
 #include "myoface/base/error.h"
 #include "myoface/sim/simulator.h"
+
 #include "test_meshes.h"
 
 namespace myoface {
@@ -138,8 +139,7 @@ TEST(Contraction, OfEveryMuscleIsFiniteAndTurnsNothingOver) {
         EXPECT_GT(report.max_displacement_mm, 0.5) << name;
         EXPECT_LT(report.max_displacement_mm, 20.0) << name;
         const TriangleMesh& rest = sim.face().skin.mesh;
-        const TriangleMesh now{sim.state().positions.leftCols(rest.vertex_count()),
-                               rest.triangles};
+        const TriangleMesh now{sim.state().positions.leftCols(rest.vertex_count()), rest.triangles};
         int turned = 0;
         for (int t = 0; t < rest.triangle_count(); ++t) {
             const bool inner =

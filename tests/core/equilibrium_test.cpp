@@ -7,6 +7,7 @@
 #include "myoface/physics/euler.h"
 #include "myoface/physics/forces.h"
 #include "myoface/sim/simulator.h"
+
 #include "test_meshes.h"
 
 namespace myoface {

@@ -8,6 +8,7 @@
 #include "myoface/io/mesh_file.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/physics/build_mass_spring.h"
+
 #include "test_meshes.h"
 
 namespace myoface {
@@ -16,7 +17,9 @@ namespace {
 using test::small_face;
 using test::small_model;
 
-std::shared_ptr<const Scan> scan() { return small_model()->scan; }
+std::shared_ptr<const Scan> scan() {
+    return small_model()->scan;
+}
 
 TEST(MuscleAtlas, HoldsTheMusclesThatWerePromised) {
     int paired_linear = 0;
@@ -26,13 +29,13 @@ TEST(MuscleAtlas, HoldsTheMusclesThatWerePromised) {
         EXPECT_FALSE(muscle.traits.title.empty());
         EXPECT_FALSE(muscle.traits.title_ja.empty());
         EXPECT_FALSE(muscle.traits.action_unit.empty());
-        paired_linear += muscle.traits.kind == MuscleKind::Linear &&
-                         muscle.traits.side == Side::Left;
+        paired_linear +=
+            muscle.traits.kind == MuscleKind::Linear && muscle.traits.side == Side::Left;
     }
     EXPECT_GE(paired_linear, 14);
-    for (const char* name : {"orbicularis_oris_upper", "orbicularis_oris_lower",
-                             "orbicularis_oculi_orbital.L", "orbicularis_oculi_palpebral.R",
-                             "zygomaticus_major.L"}) {
+    for (const char* name :
+         {"orbicularis_oris_upper", "orbicularis_oris_lower", "orbicularis_oculi_orbital.L",
+          "orbicularis_oculi_palpebral.R", "zygomaticus_major.L"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }
@@ -69,8 +72,7 @@ TEST(FitFace, DoesNotDependOnPoseAndUnit) {
     EXPECT_TRUE(frame.axes.isApprox(turn.transpose()));
     turned.mesh.vertices = 10.0 * frame.axes * turned.file_vertices;
     turned.frame = frame;
-    const auto face =
-        fit_face(std::make_shared<const Scan>(turned), in_model_frame(file, frame));
+    const auto face = fit_face(std::make_shared<const Scan>(turned), in_model_frame(file, frame));
     EXPECT_LT((face->generic - small_model()->generic).cwiseAbs().maxCoeff(), 0.01);
 }
 
@@ -86,8 +88,7 @@ TEST(FitFace, PutsMuscleEndsOnBoneAndSkin) {
         }
         if (muscle.traits.kind == MuscleKind::Linear) {
             const Vec3 end = muscle.path.col(muscle.path.cols() - 1);
-            EXPECT_LT(skin.closest_point(face->skin.mesh, end).distance, 7.0)
-                << muscle.traits.name;
+            EXPECT_LT(skin.closest_point(face->skin.mesh, end).distance, 7.0) << muscle.traits.name;
             EXPECT_GT(muscle.length, 10.0) << muscle.traits.name;
         }
     }

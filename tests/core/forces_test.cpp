@@ -8,6 +8,7 @@
 #include "myoface/base/error.h"
 #include "myoface/base/parallel.h"
 #include "myoface/physics/build_mass_spring.h"
+
 #include "test_meshes.h"
 
 namespace myoface {
@@ -62,6 +63,7 @@ struct Disturbed {
         drive.height = Eigen::VectorXd::Random(8);
         drive.tether_boost = Eigen::VectorXd::Constant(8, 2.0);
         drive.length_factor.assign(model.springs.size(), 0.8);
+        drive.stiffness_factor.assign(model.springs.size(), 1.7);
         drive.load = Points::Random(3, 8);
         drive.layer_load = Points::Random(3, 8);
         drive.gravity = Vec3(0.0, -9810.0, 0.0);
@@ -121,9 +123,9 @@ TEST(Forces, OfAWholeFaceAreTheNegativeGradientOfItsEnergy) {
         MassSpringState behind = state;
         ahead.positions += kStep * direction;
         behind.positions -= kStep * direction;
-        const double slope =
-            (potential_energy(system.model, ahead, {}) - potential_energy(system.model, behind, {})) /
-            (2.0 * kStep);
+        const double slope = (potential_energy(system.model, ahead, {}) -
+                              potential_energy(system.model, behind, {})) /
+                             (2.0 * kStep);
         const double work = forces.cwiseProduct(direction).sum();
         EXPECT_NEAR(work, -slope, 1e-6 * forces.norm() * direction.norm() / 50.0);
     }

@@ -7,6 +7,7 @@
 #include "myoface/mesh/adjacency.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/mesh/weld.h"
+
 #include "test_meshes.h"
 
 namespace myoface {

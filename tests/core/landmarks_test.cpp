@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "myoface/base/error.h"
+
 #include "test_meshes.h"
 
 namespace myoface {

@@ -8,6 +8,7 @@
 
 #include "myoface/base/error.h"
 #include "myoface/io/text_file.h"
+
 #include "test_meshes.h"
 
 namespace myoface {
@@ -143,8 +144,9 @@ TEST(MeshWriter, MovesOnlyWhatMoved) {
 
 TEST(MeshWriter, RefusesAFolderThatIsNotThereAndLeavesNothing) {
     const Scan scan = test::scan_of(test::sphere(100.0));
-    EXPECT_NE(problem_of([&] { write_mesh("/no/such/x.obj", scan, scan.mesh.vertices); })
-                  .find("cannot be written"),
+    EXPECT_NE(problem_of([&] {
+                  write_mesh("/no/such/x.obj", scan, scan.mesh.vertices);
+              }).find("cannot be written"),
               std::string::npos);
     EXPECT_NE(problem_of([&] { write_mesh("x.stl", scan, scan.mesh.vertices); }).find(".obj"),
               std::string::npos);
@@ -205,9 +207,8 @@ TEST(MeshFile, SurvivesEveryTruncationAndEveryFlippedByte) {
 }
 
 TEST(Unit, IsGuessedFromTheSizeOfAHead) {
-    for (const auto& [size, millimetres] :
-         {std::pair(130.0, 1.0), std::pair(13.0, 10.0), std::pair(1.3, 100.0),
-          std::pair(0.13, 1000.0)}) {
+    for (const auto& [size, millimetres] : {std::pair(130.0, 1.0), std::pair(13.0, 10.0),
+                                            std::pair(1.3, 100.0), std::pair(0.13, 1000.0)}) {
         test::TemporaryFolder folder;
         Scan scan = test::scan_of(test::sphere(size));
         write_mesh(folder / "u.ply", scan, scan.mesh.vertices);

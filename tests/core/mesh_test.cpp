@@ -11,6 +11,7 @@
 #include "myoface/mesh/normals.h"
 #include "myoface/mesh/remesh.h"
 #include "myoface/mesh/weld.h"
+
 #include "test_meshes.h"
 
 namespace myoface {
@@ -22,9 +23,9 @@ using test::sphere;
 TEST(Adjacency, CountsTheEdgesOfAClosedSurfaceByEuler) {
     const TriangleMesh mesh = sphere(10.0);
     const Adjacency adjacency(mesh);
-    EXPECT_EQ(mesh.vertex_count() - static_cast<int>(adjacency.edges().size()) +
-                  mesh.triangle_count(),
-              2);
+    EXPECT_EQ(
+        mesh.vertex_count() - static_cast<int>(adjacency.edges().size()) + mesh.triangle_count(),
+        2);
     for (const MeshEdge& edge : adjacency.edges()) {
         EXPECT_EQ(edge.triangle_count, 2);
     }
@@ -114,9 +115,9 @@ TEST(Isosurface, OfABallIsClosedAndRound) {
                    Eigen::AlignedBox3d(Vec3::Constant(-13.0), Vec3::Constant(13.0)), 1.0);
     const Adjacency adjacency(mesh);
     EXPECT_TRUE(boundary_loops(mesh, adjacency).empty());
-    EXPECT_EQ(mesh.vertex_count() - static_cast<int>(adjacency.edges().size()) +
-                  mesh.triangle_count(),
-              2);
+    EXPECT_EQ(
+        mesh.vertex_count() - static_cast<int>(adjacency.edges().size()) + mesh.triangle_count(),
+        2);
     EXPECT_GT(signed_volume(mesh), 0.0);
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         EXPECT_NEAR(mesh.vertices.col(v).norm(), 10.0, 0.06);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "myoface/base/parallel.h"
+
 #include <atomic>
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include "myoface/base/parallel.h"
 
 namespace myoface {
 namespace {

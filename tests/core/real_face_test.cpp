@@ -8,6 +8,7 @@
 #include "myoface/cases/case_file.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/sim/plan.h"
+
 #include "real_faces.h"
 
 namespace myoface {
@@ -27,8 +28,8 @@ protected:
     }
     static Vec3 moved_at(const Simulator& sim, const std::string& landmark) {
         const FaceModel& face = sim.face();
-        const auto hit = Bvh(face.skin.mesh)
-                             .closest_point(face.skin.mesh, face.landmarks.at(landmark).position);
+        const auto hit =
+            Bvh(face.skin.mesh).closest_point(face.skin.mesh, face.landmarks.at(landmark).position);
         const TriangleMesh now{sim.state().positions.leftCols(face.node_count()),
                                face.skin.mesh.triangles};
         return position(now, hit.where) - hit.point;

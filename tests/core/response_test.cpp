@@ -13,9 +13,9 @@ namespace {
 constexpr double kStart = 7.0;
 constexpr double kEnd = 14.0;
 constexpr double kHalfAngle = 35.0 * std::numbers::pi / 180.0;
-constexpr std::array<ResponseForm, 6> kForms{
-    ResponseForm::Smooth,     ResponseForm::AsPrinted,      ResponseForm::QuarterTurn,
-    ResponseForm::Waters1987, ResponseForm::ZoneNormalised, ResponseForm::LaterCode};
+constexpr std::array<ResponseForm, 6> kForms{ResponseForm::Smooth,         ResponseForm::AsPrinted,
+                                             ResponseForm::QuarterTurn,    ResponseForm::Waters1987,
+                                             ResponseForm::ZoneNormalised, ResponseForm::LaterCode};
 
 double radial(double distance, ResponseForm form) {
     return radial_response(distance, kStart, kEnd, form);
@@ -75,9 +75,9 @@ TEST(LinearResponse, PullsTowardsTheBoneEndAndNowhereElse) {
         const Vec3 d = linear_response(zone, p, form);
         EXPECT_GT(d.norm(), 0.1);
         EXPECT_NEAR(d.normalized().dot((zone.bone_end - p).normalized()), 1.0, 1e-12);
-        EXPECT_EQ(linear_response(zone, {1, 2, -5}, form), Vec3(Vec3::Zero()));   // behind
-        EXPECT_EQ(linear_response(zone, {1, 2, 17.1}, form), Vec3(Vec3::Zero())); // beyond
-        EXPECT_EQ(linear_response(zone, {9, 2, 8}, form), Vec3(Vec3::Zero()));    // beside
+        EXPECT_EQ(linear_response(zone, {1, 2, -5}, form), Vec3(Vec3::Zero()));    // behind
+        EXPECT_EQ(linear_response(zone, {1, 2, 17.1}, form), Vec3(Vec3::Zero()));  // beyond
+        EXPECT_EQ(linear_response(zone, {9, 2, 8}, form), Vec3(Vec3::Zero()));     // beside
         EXPECT_TRUE(linear_response(zone, zone.bone_end, form).allFinite());
     }
 }

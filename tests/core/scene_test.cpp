@@ -6,6 +6,7 @@
 #include "myoface/scene/camera.h"
 #include "myoface/scene/colour_map.h"
 #include "myoface/scene/face_scene.h"
+
 #include "test_meshes.h"
 
 namespace myoface {
@@ -30,8 +31,8 @@ TEST_P(BothProjections, MatricesAgreeWithProject) {
     camera.orthographic = GetParam();
     orbit(camera, 0.4, -0.2);
     const Vec3 point(15, -20, 30);
-    const Eigen::Vector4d clip = camera.projection_matrix(800.0 / 600.0, 300.0) *
-                                 camera.view_matrix() * point.homogeneous();
+    const Eigen::Vector4d clip =
+        camera.projection_matrix(800.0 / 600.0, 300.0) * camera.view_matrix() * point.homogeneous();
     const PixelPoint pixel = project(camera, point, 800, 600);
     EXPECT_NEAR(400.0 * (1.0 + clip.x() / clip.w()), pixel.x, 1e-9);
     EXPECT_NEAR(300.0 * (1.0 - clip.y() / clip.w()), pixel.y, 1e-9);

@@ -3,7 +3,6 @@
 
 #include <QApplication>
 #include <QSurfaceFormat>
-
 #include <gtest/gtest.h>
 
 int main(int argc, char** argv) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "myoface/scene/face_scene.h"
+
 #include "test_meshes.h"
 
 namespace myoface {
@@ -58,9 +59,9 @@ TEST(Picture, IsTheSameTwice) {
 TEST(Picture, ChangesWithEveryLayer) {
     Shown s;
     std::vector<std::vector<std::uint8_t>> seen;
-    for (const LayerOpacity& layers : {LayerOpacity{1, 0, 0, 0}, LayerOpacity{0, 1, 0, 0},
-                                       LayerOpacity{0, 0, 1, 0}, LayerOpacity{0, 0, 0, 1},
-                                       LayerOpacity{0.4F, 1, 1, 0}, LayerOpacity{0, 0, 0, 0}}) {
+    for (const LayerOpacity& layers :
+         {LayerOpacity{1, 0, 0, 0}, LayerOpacity{0, 1, 0, 0}, LayerOpacity{0, 0, 1, 0},
+          LayerOpacity{0, 0, 0, 1}, LayerOpacity{0.4F, 1, 1, 0}, LayerOpacity{0, 0, 0, 0}}) {
         s.scene.set_layers(layers);
         s.show();
         seen.push_back(s.draw().rgba);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The real window with real mouse events.
-#include "main_window.h"
-
 #include <QDropEvent>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QtTest>
-
 #include <gtest/gtest.h>
 
-#include "muscle_panel.h"
 #include "myoface/io/mesh_file.h"
+
+#include "main_window.h"
+#include "muscle_panel.h"
 #include "test_meshes.h"
 
 namespace myoface {
@@ -34,16 +33,17 @@ protected:
         QSignalSpy opened(&window_, &MainWindow::opened);
         QSignalSpy failed(&window_, &MainWindow::openFailed);
         window_.openPath(path);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() + failed.count() > 0; }, kPatience));
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return opened.count() + failed.count() > 0; }, kPatience));
     }
     bool settle() {
         return QTest::qWaitFor([&] { return window_.settled(); }, kPatience);
     }
     QPoint pixel(const std::string& landmark) {
         FaceView& view = window_.view();
-        const PixelPoint p = project(view.camera(),
-                                     test::small_face().landmarks.at(landmark).position,
-                                     view.width(), view.height());
+        const PixelPoint p =
+            project(view.camera(), test::small_face().landmarks.at(landmark).position, view.width(),
+                    view.height());
         return {static_cast<int>(p.x), static_cast<int>(p.y)};
     }
     /// Press, move in steps, release: on the native window, so that drags are delivered.
@@ -75,11 +75,10 @@ TEST_F(Window, ShapesTheSkinUnderTheMouseAndUndoesIt) {
     ASSERT_TRUE(settle());
     const Points before = window_.document().skinRest();
     drag(pixel("pg"), {0, 25});
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return window_.document().undoStack()->count() == 1; }, kPatience));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return window_.document().undoStack()->count() == 1; }, kPatience));
     ASSERT_TRUE(settle());
-    const double moved =
-        (window_.document().skinRest() - before).colwise().norm().maxCoeff();
+    const double moved = (window_.document().skinRest() - before).colwise().norm().maxCoeff();
     EXPECT_GT(moved, 2.0);
     EXPECT_LT(moved, 40.0);
     window_.document().undoStack()->undo();
@@ -138,7 +137,7 @@ TEST_F(Window, TakesAFileThatIsDroppedOnIt) {
     data.setUrls({QUrl::fromLocalFile(path_)});
     QSignalSpy opened(&window_, &MainWindow::opened);
     QDropEvent event(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window_, &event);
+    static_cast<QObject&>(window_).event(&event);
     EXPECT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience));
 }
 
@@ -147,8 +146,8 @@ TEST_F(Window, AsksForLandmarksOfAScanThatHasNone) {
     open(path_);
     EXPECT_FALSE(window_.document().model());
     QSignalSpy opened(&window_, &MainWindow::opened);
-    const std::vector<std::string> names{"prn",  "sn",   "ls",   "sto",  "li",   "pg",   "en_l",
-                                         "en_r", "ex_l", "ex_r", "ch_l", "ch_r"};
+    const std::vector<std::string> names{"prn",  "sn",   "ls",   "sto",  "li",   "pg",
+                                         "en_l", "en_r", "ex_l", "ex_r", "ch_l", "ch_r"};
     for (const std::string& name : names) {
         QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, pixel(name));
     }

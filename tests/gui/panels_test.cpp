@@ -3,7 +3,6 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QtTest>
-
 #include <gtest/gtest.h>
 
 #include "landmark_guide.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "test_meshes.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace myoface::test {
 
@@ -37,8 +36,7 @@ TriangleMesh sphere(double radius, int rings, int around) {
         const double polar = std::numbers::pi * (r + 1) / (rings + 1);
         for (int k = 0; k < around; ++k) {
             const double turn = 2.0 * std::numbers::pi * k / around;
-            mesh.vertices.col(r * around + k)
-                << radius * std::sin(polar) * std::cos(turn),
+            mesh.vertices.col(r * around + k) << radius * std::sin(polar) * std::cos(turn),
                 radius * std::sin(polar) * std::sin(turn), radius * std::cos(polar);
         }
     }

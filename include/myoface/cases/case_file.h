@@ -20,13 +20,13 @@ struct OpenedFace {
     std::shared_ptr<const Scan> scan;
     MeshReadReport report;
     std::shared_ptr<const Image> texture;
-    std::optional<Landmarks> landmarks;      ///< our frame
-    std::map<std::string, double> rates;     ///< muscle name -> contraction, from a case
+    std::optional<Landmarks> landmarks;   ///< our frame
+    std::map<std::string, double> rates;  ///< muscle name -> contraction, from a case
     std::map<std::string, double> strengths;
-    Points shape;                            ///< what a case had reshaped: 3×skin nodes, or 3×0
-    std::string name;                        ///< for the window's title
-    std::string scan_name;                   ///< file name of the scan
-    std::string scan_bytes;                  ///< the scan's file, byte for byte
+    Points shape;            ///< what a case had reshaped: 3×skin nodes, or 3×0
+    std::string name;        ///< for the window's title
+    std::string scan_name;   ///< file name of the scan
+    std::string scan_bytes;  ///< the scan's file, byte for byte
     std::string texture_bytes;
 };
 

@@ -15,10 +15,10 @@ enum class DragMode { MousePriority, ConstraintPriority };
 
 /// Where a hand grips and how.
 struct DragRequest {
-    SurfacePoint where;            ///< on FaceModel::skin
+    SurfacePoint where;  ///< on FaceModel::skin
     DragMode mode = DragMode::MousePriority;
-    double radius = 0.0;           ///< of the kernel [mm]; 0: by region
-    bool mirrored = false;         ///< the same on the other side of the face
+    double radius = 0.0;    ///< of the kernel [mm]; 0: by region (mouse), 12 (constraint)
+    bool mirrored = false;  ///< the same on the other side of the face
 };
 
 /// What became of a drag.
@@ -77,9 +77,9 @@ private:
         ViewRay ray;
         Vec3 start = Vec3::Zero();
         Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< of the handle, in the view plane
-        Vec3 force = Vec3::Zero();       ///< of the hand, last seen
-        Vec3 skin_force = Vec3::Zero();  ///< of stage 1, kept during stage 2
-        std::vector<int> near_springs;   ///< within two radii: where strain is watched
+        Vec3 force = Vec3::Zero();                         ///< of the hand, last seen
+        Vec3 skin_force = Vec3::Zero();                    ///< of stage 1, kept during stage 2
+        std::vector<int> near_springs;  ///< within two radii: where strain is watched
     };
 
     Hand make_hand(const SurfacePoint& where, const ViewRay& ray) const;

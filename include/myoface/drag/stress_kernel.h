@@ -20,7 +20,7 @@ struct StressKernel {
     std::vector<int> nodes;
     std::vector<double> weights;
     std::vector<double> profile;  ///< 1 at the grip … 0 at the rim, without areas
-    double radius = 0.0;  ///< [mm] along equal labels
+    double radius = 0.0;          ///< [mm] along equal labels
 };
 
 /// Grip radius that suits a region and the depth to the bone [mm].

@@ -20,9 +20,9 @@ namespace myoface {
 /// A muscle on one face. Points in our frame [mm].
 struct Muscle {
     MuscleTraits traits;
-    Points path;         ///< 3×P: linear: bone end … skin end; sphincter: closed ring
-    Points outward;      ///< 3×P: normal of the face over each point
-    double length = 0.0; ///< of a linear muscle's path, or around a ring
+    Points path;                ///< 3×P: linear: bone end … skin end; sphincter: closed ring
+    Points outward;             ///< 3×P: normal of the face over each point
+    double length = 0.0;        ///< of a linear muscle's path, or around a ring
     Vec3 axis = Vec3::UnitZ();  ///< sphincter: normal of the ring, out of the face
     Vec3 wide = Vec3::UnitX();  ///< sphincter: direction of the longer semi-axis
     double half_width = 0.0, half_height = 0.0;
@@ -43,30 +43,31 @@ struct FaceModel {
     WeldedMesh skin;
     std::shared_ptr<const Adjacency> adjacency;
     Landmarks landmarks;
-    Similarity to_generic;                  ///< scan -> size and pose of the average head
-    Points generic;                         ///< skin node -> coordinates on the average head
-    Eigen::VectorXd area;                   ///< per skin node [mm²]
-    std::vector<TissueProperties> tissue;   ///< per skin node
-    std::vector<SlidingSurface> sliding;    ///< per skin node
-    std::vector<TissueLabel> label;         ///< per skin node
-    std::vector<Muscle> muscles;            ///< in the atlas' order
-    TriangleMesh bone;                      ///< for show and for placing muscle ends
+    Similarity to_generic;                 ///< scan -> size and pose of the average head
+    Points generic;                        ///< skin node -> coordinates on the average head
+    Eigen::VectorXd area;                  ///< per skin node [mm²]
+    std::vector<TissueProperties> tissue;  ///< per skin node
+    std::vector<SlidingSurface> sliding;   ///< per skin node
+    std::vector<TissueLabel> label;        ///< per skin node
+    std::vector<Muscle> muscles;           ///< in the atlas' order
+    TriangleMesh bone;                     ///< for show and for placing muscle ends
     std::vector<std::pair<int, int>> lip_contacts;  ///< upper and lower node that touch
-    Mat3 axes = Mat3::Identity();           ///< columns: the face's left, up and front
+    Mat3 axes = Mat3::Identity();                   ///< columns: the face's left, up and front
 
     int node_count() const { return skin.mesh.vertex_count(); }
 };
 
 /// Puts atlas, bone, regions and labels on a scan from landmarks: similarity, then a smooth warp of
 /// the average head; muscle ends are put onto bone and skin.
-/// @throws InvalidInput when landmarks are too few, not near the scan, mirrored, or do not look like
+/// @throws InvalidInput when landmarks are too few, not near the scan, mirrored, or do not look
+/// like
 ///         a face
 std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
                                           const Landmarks& landmarks,
                                           const Progress* progress = nullptr);
 
-/// Unit and axes of a scan as its landmarks imply them: the quarter turns nearest to the pose of the
-/// face and, where `mm_per_unit` is not known, the unit (snapped to a usual one within 20 %).
+/// Unit and axes of a scan as its landmarks imply them: the quarter turns nearest to the pose of
+/// the face and, where `mm_per_unit` is not known, the unit (snapped to a usual one within 20 %).
 /// Positions in `landmarks` are in the file's unit and axes.
 /// @throws InvalidInput as fit_face
 FileFrame frame_from_landmarks(const LandmarkFile& landmarks, std::optional<double> mm_per_unit,

@@ -13,10 +13,10 @@ namespace myoface {
 enum class Sex { Female, Male };
 
 struct GenericFaceOptions {
-    int vertices = 12000;              ///< wanted, met within about 15 %; 3,000 … 400,000
-    std::optional<Sex> sex;            ///< the average of both when absent
-    double age = 25.0;                 ///< years; the norms cover 20-25 and are held beyond
-    std::optional<std::uint32_t> seed; ///< an individual drawn from the norms' spread
+    int vertices = 12000;               ///< wanted, met within about 15 %; 3,000 … 400,000
+    std::optional<Sex> sex;             ///< the average of both when absent
+    double age = 25.0;                  ///< years; the norms cover 20-25 and are held beyond
+    std::optional<std::uint32_t> seed;  ///< an individual drawn from the norms' spread
 };
 
 /// The built-in head with its landmarks, in mm and our axes: origin midway between the tragia.

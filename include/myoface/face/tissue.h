@@ -10,7 +10,19 @@ namespace myoface {
 
 /// Aesthetic unit of a skin node.
 enum class Region {
-    Forehead, Glabella, Brow, Lids, Temple, Nose, Cheek, UpperLip, LowerLip, Chin, Jaw, Ear, Neck,
+    Forehead,
+    Glabella,
+    Brow,
+    Lids,
+    Temple,
+    Nose,
+    Cheek,
+    UpperLip,
+    LowerLip,
+    Chin,
+    Jaw,
+    Ear,
+    Neck,
     Scalp
 };
 std::string region_name(Region region);

@@ -21,9 +21,9 @@ struct MeshReadReport {
     int triangles = 0;
     int quads = 0;
     int larger_faces = 0;
-    int duplicate_vertices = 0;     ///< at the place of an earlier one (UV seams)
+    int duplicate_vertices = 0;  ///< at the place of an earlier one (UV seams)
     int unreferenced_vertices = 0;
-    int degenerate_triangles = 0;   ///< no area or a repeated corner
+    int degenerate_triangles = 0;  ///< no area or a repeated corner
     int components = 0;
     int boundary_loops = 0;
     double longest_boundary_mm = 0.0;
@@ -34,10 +34,10 @@ struct MeshReadReport {
     std::string texture;
     bool texture_found = false;
     double mm_per_unit = 1.0;
-    std::string unit;               ///< m dm cm mm in, or "other"
+    std::string unit;  ///< m dm cm mm in, or "other"
     bool unit_is_guess = false;
     Vec3 size_mm = Vec3::Zero();
-    std::vector<std::string> notes; ///< sentences for a person
+    std::vector<std::string> notes;  ///< sentences for a person
 };
 
 struct ReadOptions {
@@ -69,7 +69,8 @@ void write_mesh(const std::filesystem::path& file, const Scan& scan, const Point
 std::optional<std::filesystem::path> texture_path(const Scan& scan,
                                                   const std::filesystem::path& file);
 
-/// The scan's texture if it has one that can be read; otherwise null and perhaps a sentence in `note`.
+/// The scan's texture if it has one that can be read; otherwise null and perhaps a sentence in
+/// `note`.
 std::shared_ptr<const Image> load_texture(const Scan& scan, const std::filesystem::path& file,
                                           std::string* note = nullptr);
 

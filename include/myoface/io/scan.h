@@ -22,9 +22,9 @@ struct FileFrame {
 
 /// Faces with any number of corners, in the file's order.
 struct Polygons {
-    std::vector<int> start{0};   ///< faces + 1 offsets into the corner arrays
-    std::vector<int> vertex;     ///< vertex of each corner
-    std::vector<int> uv;         ///< texture coordinate of each corner, -1 for none; empty: no UV
+    std::vector<int> start{0};  ///< faces + 1 offsets into the corner arrays
+    std::vector<int> vertex;    ///< vertex of each corner
+    std::vector<int> uv;        ///< texture coordinate of each corner, -1 for none; empty: no UV
 
     int count() const { return static_cast<int>(start.size()) - 1; }
     int size(int face) const { return start[face + 1] - start[face]; }
@@ -41,15 +41,15 @@ struct ObjStatement {
 /// A scan as a person's file holds it, in our unit and axes. Vertices keep the file's order; faces
 /// are kept as they came beside the triangles that computing uses.
 struct Scan {
-    TriangleMesh mesh;                           ///< [mm], every vertex of the file in its order
-    Points file_vertices;                        ///< the file's own numbers, untouched
-    std::vector<int> triangle_face;              ///< triangle -> face
+    TriangleMesh mesh;               ///< [mm], every vertex of the file in its order
+    Points file_vertices;            ///< the file's own numbers, untouched
+    std::vector<int> triangle_face;  ///< triangle -> face
     std::vector<std::array<int, 3>> triangle_corner;  ///< triangle -> corners in `faces`
     Polygons faces;
-    Eigen::Matrix3Xf colours;                    ///< 3×N in 0 … 1, or 3×0
-    Eigen::Matrix2Xf uv;                         ///< 2×K texture coordinates, (0,0) bottom left
-    std::string texture;                         ///< file name of the colour texture, "" for none
-    std::vector<std::string> material_libraries; ///< names after mtllib
+    Eigen::Matrix3Xf colours;                     ///< 3×N in 0 … 1, or 3×0
+    Eigen::Matrix2Xf uv;                          ///< 2×K texture coordinates, (0,0) bottom left
+    std::string texture;                          ///< file name of the colour texture, "" for none
+    std::vector<std::string> material_libraries;  ///< names after mtllib
     std::vector<ObjStatement> statements;
     FileFrame frame;
     FileFormat format = FileFormat::Obj;

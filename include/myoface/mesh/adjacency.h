@@ -11,10 +11,10 @@ namespace myoface {
 
 /// An undirected edge, its one or two triangles and the vertices opposite to it in them.
 struct MeshEdge {
-    std::array<int, 2> vertices{};          ///< in ascending order
-    std::array<int, 2> triangles{-1, -1};   ///< the second is -1 on the border
-    std::array<int, 2> opposite{-1, -1};    ///< vertex across the edge in each triangle
-    int triangle_count = 0;                 ///< more than 2: the edge is not manifold
+    std::array<int, 2> vertices{};         ///< in ascending order
+    std::array<int, 2> triangles{-1, -1};  ///< the second is -1 on the border
+    std::array<int, 2> opposite{-1, -1};   ///< vertex across the edge in each triangle
+    int triangle_count = 0;                ///< more than 2: the edge is not manifold
 };
 
 /// Who touches whom in a mesh, in compressed rows. Built once, never changed.

@@ -14,8 +14,8 @@ struct SplitMesh {
 };
 
 /// Splits every triangle that the zero line of `values` crosses, by linear interpolation along the
-/// edges. A vertex marked false in `part_of` is taken to be off the line: no edge that ends in it is
-/// split.
+/// edges. A vertex marked false in `part_of` is taken to be off the line: no edge that ends in it
+/// is split.
 SplitMesh split_along_zero(const TriangleMesh& mesh, const std::vector<double>& values,
                            const std::vector<bool>& part_of);
 

@@ -7,8 +7,8 @@
 
 namespace myoface {
 
-/// Smoothing of per-vertex vectors by heat flow on the surface, (M + t L) y = M x with the cotangent
-/// Laplacian: its reach is in millimetres and does not depend on how fine the mesh is.
+/// Smoothing of per-vertex vectors by heat flow on the surface, (M + t L) y = M x with the
+/// cotangent Laplacian: its reach is in millimetres and does not depend on how fine the mesh is.
 /// @cite desbrun_1999
 class Diffusion {
 public:

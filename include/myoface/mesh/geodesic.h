@@ -20,8 +20,9 @@ using EdgeWeight = std::function<double(int from, int to)>;
 
 /// Shortest way along edges from the sources to every vertex [mm]; infinity where no way of at most
 /// `limit` leads. Along edges it is up to about 10 % longer than across triangles.
-std::vector<double> geodesic_distances(
-    const Points& vertices, const Adjacency& adjacency, std::span<const GeodesicSource> sources,
-    double limit = std::numeric_limits<double>::infinity(), const EdgeWeight& weight = {});
+std::vector<double> geodesic_distances(const Points& vertices, const Adjacency& adjacency,
+                                       std::span<const GeodesicSource> sources,
+                                       double limit = std::numeric_limits<double>::infinity(),
+                                       const EdgeWeight& weight = {});
 
 }  // namespace myoface

@@ -9,9 +9,9 @@ namespace myoface {
 
 /// A mesh whose coincident vertices are one, and the way back.
 struct WeldedMesh {
-    TriangleMesh mesh;            ///< only vertices that a triangle uses, no degenerate triangles
-    std::vector<int> of_vertex;   ///< input vertex -> welded vertex, -1 where no triangle uses it
-    std::vector<int> of_triangle; ///< welded triangle -> input triangle
+    TriangleMesh mesh;             ///< only vertices that a triangle uses, no degenerate triangles
+    std::vector<int> of_vertex;    ///< input vertex -> welded vertex, -1 where no triangle uses it
+    std::vector<int> of_triangle;  ///< welded triangle -> input triangle
 };
 
 /// Joins vertices that lie at exactly the same place (as UV seams leave them) and drops triangles

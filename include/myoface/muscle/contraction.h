@@ -22,9 +22,9 @@ constexpr double kMostContraction = 1.0;
 /// What one muscle at full contraction asks of the skin: only nodes it reaches.
 struct MuscleResponse {
     std::vector<int> nodes;
-    Points shift;             ///< tether target [mm]
-    Eigen::VectorXd height;   ///< thickness target [mm]
-    Eigen::VectorXd hold;     ///< 0 … 1: how firmly the target is held
+    Points shift;            ///< tether target [mm]
+    Eigen::VectorXd height;  ///< thickness target [mm]
+    Eigen::VectorXd hold;    ///< 0 … 1: how firmly the target is held
 };
 
 /// Responses of all muscles on the resting face. Always from rest: sums do not depend on the order

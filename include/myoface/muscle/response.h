@@ -41,12 +41,12 @@ Vec3 linear_response(const ResponseZone& zone, const Vec3& point, ResponseForm f
 /// A sphincter's zone: an ellipse in the plane of the ring.
 struct SphincterZone {
     Vec3 centre = Vec3::Zero();
-    Vec3 wide = Vec3::UnitX();   ///< unit, along the longer semi-axis
-    Vec3 axis = Vec3::UnitZ();   ///< unit, normal of the ring
-    double half_width = 1.0;     ///< l_x [mm]
-    double half_height = 1.0;    ///< l_y [mm]
-    double depth = 30.0;         ///< reach along the axis, faded smoothly [mm]
-    double forward = 0.0;        ///< part of the pull along the axis
+    Vec3 wide = Vec3::UnitX();  ///< unit, along the longer semi-axis
+    Vec3 axis = Vec3::UnitZ();  ///< unit, normal of the ring
+    double half_width = 1.0;    ///< l_x [mm]
+    double half_height = 1.0;   ///< l_y [mm]
+    double depth = 30.0;        ///< reach along the axis, faded smoothly [mm]
+    double forward = 0.0;       ///< part of the pull along the axis
 };
 
 /// Displacement per millimetre of pull: w = (1 − ρ²)², in the plane towards the centre, peak 1, and

@@ -10,21 +10,22 @@ namespace myoface {
 
 /// Constants of the tissue. Values as tried on a face of real size; kPa = mN/mm².
 struct TissueConstants {
-    double skin_modulus = 100.0;        ///< E of the skin, small strain [kPa]
-    double skin_thickness = 1.5;        ///< h [mm]
-    double bending = 1000.0;            ///< D of the skin-SMAS-fat layer [mN mm]
-    double confined_modulus = 120.0;    ///< M_d through the depth: fat cannot escape [kPa]
-    double fat_modulus = 10.0;          ///< E_d; G = E_d / 2.9 sideways [kPa]
-    double stiffening = 10.0;           ///< J
-    double mucosa_share = 0.2;          ///< anchor of inner lips, of k_t
-    double cartilage_share = 2.0;       ///< anchor of ears and nostrils, of k_t
-    double layer_modulus = 30.0;        ///< muscle layer [kPa] …
-    double layer_thickness = 3.0;       ///< … and its thickness [mm]
-    double other_label = 0.15;          ///< stiffness of a link between different labels
-    double density = 1.05e-6;           ///< [kg/mm³]
-    double spring_damping = 0.2;        ///< share of critical
-    double tie_damping = 1.0;           ///< share of critical
-    double lip_contact = 300.0;         ///< [mN/mm]
+    double skin_modulus = 100.0;      ///< E of the skin, small strain [kPa]
+    double skin_thickness = 1.5;      ///< h [mm]
+    double bending = 1000.0;          ///< D of the skin-SMAS-fat layer [mN mm]
+    double confined_modulus = 120.0;  ///< M_d through the depth: fat cannot escape [kPa]
+    double fat_modulus = 10.0;        ///< E_d; G = E_d / 2.9 sideways [kPa]
+    double stiffening = 10.0;         ///< J
+    double mucosa_share = 0.2;        ///< anchor of inner lips, of k_t
+    double cartilage_share = 2.0;     ///< anchor of ears and nostrils, of k_t
+    double layer_modulus = 30.0;      ///< muscle layer [kPa] …
+    double layer_thickness = 3.0;     ///< … and its thickness [mm]
+    double other_label = 0.15;        ///< stiffness of a link between different labels
+    double density = 1.05e-6;         ///< [kg/mm³]
+    double spring_damping = 0.2;      ///< share of critical
+    double tie_damping = 1.0;         ///< share of critical
+    double passive_muscle = 0.12;     ///< stiffness of a muscle at rest, of that in action
+    double lip_contact = 300.0;       ///< [mN/mm]
 };
 
 /// Where one muscle's parts stand in the model.
@@ -32,6 +33,7 @@ struct MuscleChain {
     int first_node = 0, node_count = 0;
     int first_spring = 0, spring_count = 0;
     double shortening = 0.3;  ///< share of the length given up at full contraction
+    double activation = 1.0;  ///< stiffness at full contraction, of that at rest
 };
 
 /// A model and what belongs to the face in it. Skin node i is model node i.

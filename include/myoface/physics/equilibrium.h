@@ -12,23 +12,23 @@ namespace myoface {
 /// A weighted group of nodes held by a hand: Σ weight_j x_j moves only freely along `free`.
 struct Handle {
     std::vector<int> nodes;
-    std::vector<double> weights;           ///< sum to 1
-    Eigen::Matrix<double, 3, 2> plane;     ///< the two held directions, orthonormal
+    std::vector<double> weights;                       ///< sum to 1
+    Eigen::Matrix<double, 3, 2> plane;                 ///< the two held directions, orthonormal
     Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< wanted planeᵀ Σ weight_j x_j [mm]
 };
 
 /// A hand that pulls with a bounded force, through `pull` nodes, at a point given by `grip` nodes.
 struct HandPull {
     std::vector<int> grip_nodes;
-    std::vector<double> grip_weights;      ///< sum to 1: the grabbed point
+    std::vector<double> grip_weights;  ///< sum to 1: the grabbed point
     std::vector<int> nodes;
-    std::vector<double> weights;           ///< sum to 1: the stress kernel
+    std::vector<double> weights;  ///< sum to 1: the stress kernel
     Eigen::Matrix<double, 3, 2> plane;
     Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< the mouse in the plane [mm]
-    double stiffness = 1000.0;             ///< of the hand [mN/mm]
-    double largest = 6000.0;               ///< bound of the force [mN]
-    double skin_share = 1.0;               ///< λ: part that pulls at the skin
-    double layer_share = 0.0;              ///< μ: part that pulls at the muscle layer
+    double stiffness = 1000.0;                         ///< of the hand [mN/mm]
+    double largest = 6000.0;                           ///< bound of the force [mN]
+    double skin_share = 1.0;                           ///< λ: part that pulls at the skin
+    double layer_share = 0.0;                          ///< μ: part that pulls at the muscle layer
     std::vector<int> layer_nodes;
     std::vector<double> layer_weights;
     std::optional<Eigen::Vector2d> force;  ///< given instead of following the mouse [mN]
@@ -36,15 +36,15 @@ struct HandPull {
 
 struct RelaxOptions {
     int iterations = 3000;
-    double still_mm = 4e-6;   ///< a step below this is at rest [mm]
+    double still_mm = 4e-6;  ///< a step below this is at rest [mm]
 };
 
 struct RelaxReport {
     int iterations = 0;
-    double residual = 0.0;    ///< rms out-of-balance force per node [mN]
-    double last_step = 0.0;   ///< largest motion in the last iteration [mm]
+    double residual = 0.0;   ///< rms out-of-balance force per node [mN]
+    double last_step = 0.0;  ///< largest motion in the last iteration [mm]
     bool converged = false;
-    bool finite = true;       ///< false: the state was not finite and was put back
+    bool finite = true;  ///< false: the state was not finite and was put back
 };
 
 /// Equilibrium by dynamic relaxation: Euler steps with masses scaled to each node's stiffness and
@@ -68,8 +68,8 @@ public:
 private:
     void scale_masses(const MassSpringState& state, const Drive& drive,
                       std::span<const HandPull> pulls);
-    void advance(const MassSpringState& state, const Drive& drive,
-                 std::span<const HandPull> pulls, bool layer);
+    void advance(const MassSpringState& state, const Drive& drive, std::span<const HandPull> pulls,
+                 bool layer);
     void apply_pull(const Points& x, const HandPull& pull, bool layer);
     void hold(const Handle& handle);
     Eigen::Vector2d pull_force(const Points& x, const HandPull& pull) const;

@@ -14,8 +14,8 @@ void explicit_euler_step(const MassSpringModel& model, MassSpringState& state, c
                          double step);
 
 /// The same with the *new* velocity in (3): stable far longer and, undamped, without growth.
-void symplectic_euler_step(const MassSpringModel& model, MassSpringState& state,
-                           const Drive& drive, double step);
+void symplectic_euler_step(const MassSpringModel& model, MassSpringState& state, const Drive& drive,
+                           double step);
 
 enum class Integrator { ExplicitEuler, SymplecticEuler };
 

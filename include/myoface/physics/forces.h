@@ -20,18 +20,18 @@ Points total_forces(const MassSpringModel& model, const MassSpringState& state, 
                     bool damped);
 
 /// Forces on the muscle layer, 3×skin nodes [mN]. @pre state.layer is not empty
-Points layer_forces(const MassSpringModel& model, const MassSpringState& state,
-                    const Drive& drive);
+Points layer_forces(const MassSpringModel& model, const MassSpringState& state, const Drive& drive);
 
-/// Energy of which total_forces() without dampers and layer_forces() are the negative gradient [µJ].
+/// Energy of which total_forces() without dampers and layer_forces() are the negative gradient
+/// [µJ].
 double potential_energy(const MassSpringModel& model, const MassSpringState& state,
                         const Drive& drive);
 
 /// Largest stretch |r|/L − 1 of the skin's springs around a set of nodes, with each spring's share
 /// of its limit. @param limit per skin node @param least_limit no link counts with less
 struct StrainReport {
-    double largest = 0.0;        ///< |ε|
-    double share_of_limit = 0.0; ///< largest |ε| / limit
+    double largest = 0.0;         ///< |ε|
+    double share_of_limit = 0.0;  ///< largest |ε| / limit
 };
 StrainReport skin_strain(const MassSpringModel& model, const Points& positions,
                          const std::vector<int>& springs, const std::vector<double>& limit,

@@ -29,26 +29,26 @@ struct SpringEnd {
 /// plus an isotropic anchor ½ k_i |δ|². It slides along the bone: no depth force sideways.
 struct Tie {
     Vec3 normal = Vec3::UnitZ();
-    Mat3 curvature = Mat3::Zero();   ///< [1/mm]
-    double thickness = 0.0;          ///< k_n [mN/mm]
-    double tether = 0.0;             ///< k_t [mN/mm]
-    double anchor = 0.0;             ///< k_i [mN/mm]
-    double damping = 0.0;            ///< towards the bone [kg/s]
+    Mat3 curvature = Mat3::Zero();  ///< [1/mm]
+    double thickness = 0.0;         ///< k_n [mN/mm]
+    double tether = 0.0;            ///< k_t [mN/mm]
+    double anchor = 0.0;            ///< k_i [mN/mm]
+    double damping = 0.0;           ///< towards the bone [kg/s]
 };
 
 /// Two points that must not pass each other: ½ k min(0, n·(x_a − x_b) − gap)².
 struct Contact {
     int a = 0, b = 0;
-    Vec3 normal = Vec3::UnitY();     ///< from b to a
-    double stiffness = 0.0;          ///< [mN/mm]
-    double gap = 0.0;                ///< at most 0: how far they overlap at rest [mm]
+    Vec3 normal = Vec3::UnitY();  ///< from b to a
+    double stiffness = 0.0;       ///< [mN/mm]
+    double gap = 0.0;             ///< at most 0: how far they overlap at rest [mm]
 };
 
 /// Symmetric scalar matrix in compressed rows that acts alike on the three components of the
 /// displacement: hinge bending and muscle attachments. Zero at rest, linear.
 struct LinearStiffness {
     std::vector<int> start{0}, column;
-    std::vector<double> value;       ///< [mN/mm]
+    std::vector<double> value;  ///< [mN/mm]
 };
 
 /// The muscle layer under the skin, of which constraint priority makes use: one displacement y per
@@ -60,22 +60,22 @@ struct MuscleLayer {
 /// Masses and springs of one face. Built once; never changes while it runs. Nodes: the skin's, then
 /// those of the muscles' chains. Units: mm, kg, s; force is then mN.
 struct MassSpringModel {
-    Points rest;                      ///< 3×N, where no force acts
-    Eigen::VectorXd mass;             ///< [kg]: density × volume × tie to the bone
-    std::vector<char> fixed;          ///< bone ends and what lies far from the face
-    std::vector<TissueLabel> label;   ///< per node
+    Points rest;                     ///< 3×N, where no force acts
+    Eigen::VectorXd mass;            ///< [kg]: density × volume × tie to the bone
+    std::vector<char> fixed;         ///< bone ends and what lies far from the face
+    std::vector<TissueLabel> label;  ///< per node
     std::vector<Spring> springs;
-    std::vector<Tie> ties;            ///< per node
+    std::vector<Tie> ties;  ///< per node
     std::vector<Contact> contacts;
     LinearStiffness linear;
     MuscleLayer layer;
-    Vec3 rest_gravity = Vec3::Zero(); ///< gravity under which `rest` was scanned [mm/s²]
+    Vec3 rest_gravity = Vec3::Zero();  ///< gravity under which `rest` was scanned [mm/s²]
     int skin_nodes = 0;
 
     // Rows for gathering, filled by index_rows().
     std::vector<int> spring_start;
     std::vector<SpringEnd> spring_ends;
-    std::vector<int> contact_of;      ///< per node, -1 none
+    std::vector<int> contact_of;  ///< per node, -1 none
 
     int node_count() const { return static_cast<int>(rest.cols()); }
 };
@@ -96,13 +96,14 @@ MassSpringState rest_state(const MassSpringModel& model);
 
 /// Inputs of a step: contraction and gravity act through these, the model stays.
 struct Drive {
-    Points shift;                     ///< 3×N tether target [mm], or 3×0
-    Eigen::VectorXd height;           ///< N thickness target [mm], or 0
-    Eigen::VectorXd tether_boost;     ///< N factor on k_t, or 0
-    std::vector<double> length_factor;///< per spring factor on L, or empty
-    Points load;                      ///< 3×N outer force [mN], or 3×0
-    Points layer_load;                ///< 3×skin outer force on the muscle layer, or 3×0
-    Vec3 gravity = Vec3::Zero();      ///< [mm/s²]
+    Points shift;                          ///< 3×N tether target [mm], or 3×0
+    Eigen::VectorXd height;                ///< N thickness target [mm], or 0
+    Eigen::VectorXd tether_boost;          ///< N factor on k_t, or 0
+    std::vector<double> length_factor;     ///< per spring factor on L, or empty
+    std::vector<double> stiffness_factor;  ///< per spring factor on k, or empty
+    Points load;                           ///< 3×N outer force [mN], or 3×0
+    Points layer_load;                     ///< 3×skin outer force on the muscle layer, or 3×0
+    Vec3 gravity = Vec3::Zero();           ///< [mm/s²]
 };
 
 }  // namespace myoface

@@ -12,10 +12,10 @@ namespace myoface {
 /// An orbiting camera. Pixel coordinates run from the top left corner, y down, and may be
 /// fractions; width and height are those of the picture.
 struct Camera {
-    Vec3 target = Vec3::Zero();                                  ///< what it looks at [mm]
+    Vec3 target = Vec3::Zero();                                       ///< what it looks at [mm]
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< camera -> world
-    double distance = 600.0;                                     ///< eye to target [mm]
-    double field_of_view = 0.44;                                 ///< vertical [rad]
+    double distance = 600.0;                                          ///< eye to target [mm]
+    double field_of_view = 0.44;                                      ///< vertical [rad]
     bool orthographic = false;
 
     Vec3 eye() const { return target + distance * (orientation * Vec3::UnitZ()); }

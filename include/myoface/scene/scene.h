@@ -16,17 +16,17 @@ using FloatPoints = Eigen::Matrix3Xf;
 
 /// A shaded surface. Colours are sRGB in 0 … 1.
 struct SurfaceLayer {
-    FloatPoints positions;          ///< 3×N [mm]
-    FloatPoints normals;            ///< 3×N unit
-    FloatPoints colours;            ///< 3×N, or 3×0 for `plain_colour`
-    Eigen::VectorXf cavity;         ///< N, 0 open … 1 deep in a fold; or empty
-    Eigen::Matrix2Xf uv;            ///< 2×N with `texture`, else 2×0
+    FloatPoints positions;   ///< 3×N [mm]
+    FloatPoints normals;     ///< 3×N unit
+    FloatPoints colours;     ///< 3×N, or 3×0 for `plain_colour`
+    Eigen::VectorXf cavity;  ///< N, 0 open … 1 deep in a fold; or empty
+    Eigen::Matrix2Xf uv;     ///< 2×N with `texture`, else 2×0
     std::shared_ptr<const Image> texture;
     Eigen::Vector3f plain_colour{0.80F, 0.62F, 0.53F};
     std::vector<std::uint32_t> indices;
-    float opacity = 1.0F;           ///< 0 hides the layer
-    float gloss = 0.35F;            ///< strength of the highlight
-    float softness = 1.0F;          ///< light under the skin: 1 skin, 0 plaster
+    float opacity = 1.0F;   ///< 0 hides the layer
+    float gloss = 0.35F;    ///< strength of the highlight
+    float softness = 1.0F;  ///< light under the skin: 1 skin, 0 plaster
 };
 
 /// Coloured line segments.

@@ -27,12 +27,12 @@ public:
 private:
     void normals(SurfaceLayer& layer, const Points& vertices) const;
 
-    std::vector<int> source_;           ///< drawn vertex -> scan vertex
-    std::vector<int> source_uv_;        ///< drawn vertex -> UV, -1
+    std::vector<int> source_;     ///< drawn vertex -> scan vertex
+    std::vector<int> source_uv_;  ///< drawn vertex -> UV, -1
     std::vector<std::uint32_t> indices_;
-    std::vector<int> welded_;           ///< scan vertex -> welded vertex, -1 unused
-    TriangleMesh welded_mesh_;          ///< its positions are scratch
-    std::vector<int> first_;            ///< welded vertex -> a scan vertex
+    std::vector<int> welded_;   ///< scan vertex -> welded vertex, -1 unused
+    TriangleMesh welded_mesh_;  ///< its positions are scratch
+    std::vector<int> first_;    ///< welded vertex -> a scan vertex
     std::shared_ptr<const Adjacency> adjacency_;
 };
 

@@ -25,12 +25,12 @@ struct SimulatorOptions {
 struct StepReport {
     std::string solver;
     int iterations = 0;
-    double residual = 0.0;         ///< rms out-of-balance force per node [mN]
+    double residual = 0.0;  ///< rms out-of-balance force per node [mN]
     bool converged = false;
-    bool finite = true;            ///< false: the step was undone
+    bool finite = true;  ///< false: the step was undone
     double milliseconds = 0.0;
     double max_displacement_mm = 0.0;
-    double max_strain = 0.0;       ///< of the skin's links, where a limit is known
+    double max_strain = 0.0;  ///< of the skin's links, where a limit is known
     std::optional<DragReport> drag;
 };
 

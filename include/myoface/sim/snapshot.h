@@ -13,8 +13,8 @@ namespace myoface {
 
 /// What a viewer needs of one moment of the simulation.
 struct SimSnapshot {
-    Points positions;             ///< 3×nodes [mm]
-    std::vector<double> rates;    ///< contraction per muscle
+    Points positions;           ///< 3×nodes [mm]
+    std::vector<double> rates;  ///< contraction per muscle
     StepReport report;
     bool dragging = false;
     std::uint64_t frame = 0;

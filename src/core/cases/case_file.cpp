@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "myoface/cases/case_file.h"
 
-#include <zip.h>
-
 #include <algorithm>
 #include <cstring>
+#include <zip.h>
 
 #include <nlohmann/json.hpp>
 
@@ -45,9 +44,8 @@ std::string read_part(zip_t* archive, const char* part, const std::string& name,
     }
     std::string bytes(stat.size, '\0');
     zip_file_t* file = zip_fopen(archive, part, 0);
-    const bool good = file != nullptr &&
-                      zip_fread(file, bytes.data(), stat.size) ==
-                          static_cast<zip_int64_t>(stat.size);
+    const bool good = file != nullptr && zip_fread(file, bytes.data(), stat.size) ==
+                                             static_cast<zip_int64_t>(stat.size);
     if (file != nullptr) {
         zip_fclose(file);
     }
@@ -112,16 +110,16 @@ OpenedFace open_case(const std::string& path, const OpenOptions& options,
     } catch (const json::exception&) {
         throw IoError(path + ": its manifest is damaged.");
     }
-    const bool turn = (*read.axes * read.axes->transpose()).isIdentity(1e-9) &&
-                      read.axes->determinant() > 0.0;
+    const bool turn =
+        (*read.axes * read.axes->transpose()).isIdentity(1e-9) && read.axes->determinant() > 0.0;
     if (!(*read.mm_per_unit > 1e-6 && *read.mm_per_unit < 1e6) || !turn) {
         throw IoError(path + ": its unit or axes are damaged.");
     }
     if (options.mm_per_unit) {
         read.mm_per_unit = options.mm_per_unit;
     }
-    auto scan = std::make_shared<Scan>(
-        read_mesh_bytes(face.scan_bytes, face.scan_name, read, progress));
+    auto scan =
+        std::make_shared<Scan>(read_mesh_bytes(face.scan_bytes, face.scan_name, read, progress));
     scan->texture = texture;
     if (!face.texture_bytes.empty()) {
         face.texture =
@@ -193,8 +191,7 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     }
     ReadOptions read{options.mm_per_unit, options.axes};
     if (landmarks) {
-        const FileFrame frame =
-            frame_from_landmarks(*landmarks, options.mm_per_unit, options.axes);
+        const FileFrame frame = frame_from_landmarks(*landmarks, options.mm_per_unit, options.axes);
         read = {frame.mm_per_unit, frame.axes};
     }
     auto scan = std::make_shared<Scan>(read_mesh(file, read, progress));
@@ -219,16 +216,15 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     return face;
 }
 
-std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened,
-                                          const SimulatorOptions& options,
+std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened, const SimulatorOptions& options,
                                           const Progress* progress) {
     if (!opened.landmarks) {
         throw InvalidInput(opened.name +
                            ": no landmarks are known for this scan; give a landmark file with "
                            "--landmarks, or place the points in the window.");
     }
-    auto simulator = std::make_unique<Simulator>(
-        fit_face(opened.scan, *opened.landmarks, progress), options);
+    auto simulator =
+        std::make_unique<Simulator>(fit_face(opened.scan, *opened.landmarks, progress), options);
     const auto& muscles = simulator->face().muscles;
     for (std::size_t m = 0; m < muscles.size(); ++m) {
         const auto rate = opened.rates.find(muscles[m].traits.name);
@@ -313,10 +309,8 @@ void write_case(const std::filesystem::path& file, const OpenedFace& opened,
         fail();
     }
     const auto add = [&](const char* name, const std::string& bytes) {
-        zip_source_t* source =
-            zip_source_buffer(archive.handle, bytes.data(), bytes.size(), 0);
-        if (source == nullptr ||
-            zip_file_add(archive.handle, name, source, ZIP_FL_OVERWRITE) < 0) {
+        zip_source_t* source = zip_source_buffer(archive.handle, bytes.data(), bytes.size(), 0);
+        if (source == nullptr || zip_file_add(archive.handle, name, source, ZIP_FL_OVERWRITE) < 0) {
             fail();
         }
     };

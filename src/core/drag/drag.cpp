@@ -10,11 +10,12 @@
 namespace myoface {
 namespace {
 
-constexpr double kLongestJump = 3.0;        // of the kernel in one update [mm]
-constexpr double kHandStiffness = 1000.0;   // [mN/mm]
-constexpr double kLargestForce = 6000.0;    // [mN]
-constexpr double kSecondStageLimit = 1.3;   // strain allowed in stage 2, of the region's limit
+constexpr double kLongestJump = 3.0;       // of the kernel in one update [mm]
+constexpr double kHandStiffness = 1000.0;  // [mN/mm]
+constexpr double kLargestForce = 6000.0;   // [mN]
+constexpr double kSecondStageLimit = 1.3;  // strain allowed in stage 2, of the region's limit
 constexpr double kLayerOtherLabel = 3.0;
+constexpr double kJudgingRadius = 12.0;  // [mm]
 constexpr int kBisections = 7;
 constexpr int kSettleSweeps = 6000;
 
@@ -62,11 +63,13 @@ SkinDrag::SkinDrag(const FaceModel& face, const FaceMassSpring& system, const Dr
 SkinDrag::Hand SkinDrag::make_hand(const SurfacePoint& where, const ViewRay& ray) const {
     Hand hand;
     hand.grip = grip_at(face_, where);
-    const double radius =
-        request_.radius > 0.0 ? request_.radius : kernel_radius(face_, hand.grip);
+    // Shaping grips as broadly as suits the region; judging compares regions, so its stress is
+    // spread alike everywhere.
+    const double usual =
+        request_.mode == DragMode::MousePriority ? kernel_radius(face_, hand.grip) : kJudgingRadius;
+    const double radius = request_.radius > 0.0 ? request_.radius : usual;
     hand.kernel = stress_kernel(face_, start_, hand.grip, radius);
-    hand.layer_kernel =
-        stress_kernel(face_, start_, hand.grip, 2.0 * radius, kLayerOtherLabel);
+    hand.layer_kernel = stress_kernel(face_, start_, hand.grip, 2.0 * radius, kLayerOtherLabel);
     hand.ray = ray;
     hand.start = grip_position(hand.grip, start_);
     Vec3 centre = Vec3::Zero();
@@ -138,8 +141,8 @@ void SkinDrag::move_to(const ViewRay& ray) {
 std::vector<Handle> SkinDrag::handles() const {
     std::vector<Handle> result;
     for (const Hand& hand : hands_) {
-        result.push_back({hand.kernel.nodes, hand.kernel.weights, view_plane(hand.ray.direction),
-                          hand.target});
+        result.push_back(
+            {hand.kernel.nodes, hand.kernel.weights, view_plane(hand.ray.direction), hand.target});
     }
     return result;
 }
@@ -357,8 +360,8 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state,
         if (left == 0.0) {
             double worst = 0.0;
             for (const Hand& hand : hands_) {
-                worst = std::max(worst, distance_to_ray(hand.ray, grip_position(hand.grip,
-                                                                                state.positions)));
+                worst = std::max(
+                    worst, distance_to_ray(hand.ray, grip_position(hand.grip, state.positions)));
             }
             if (worst < kOnRay && report.converged) {
                 break;
@@ -370,9 +373,9 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state,
                 sweeps += report.iterations;
                 worst = 0.0;
                 for (const Hand& hand : hands_) {
-                    worst = std::max(worst,
-                                     distance_to_ray(hand.ray, grip_position(hand.grip,
-                                                                             state.positions)));
+                    worst = std::max(
+                        worst,
+                        distance_to_ray(hand.ray, grip_position(hand.grip, state.positions)));
                 }
             }
             for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {

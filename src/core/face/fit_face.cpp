@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "muscle_placement.h"
 #include "myoface/base/error.h"
 #include "myoface/base/parallel.h"
 #include "myoface/face/face_model.h"
@@ -14,6 +13,8 @@
 #include "myoface/io/mesh_file.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/mesh/normals.h"
+
+#include "muscle_placement.h"
 #include "sliding_surface.h"
 
 namespace myoface {
@@ -280,8 +281,8 @@ FileFrame frame_from_landmarks(const LandmarkFile& file, std::optional<double> m
     return frame;
 }
 
-std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
-                                          const Landmarks& given, const Progress* progress) {
+std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, const Landmarks& given,
+                                          const Progress* progress) {
     const auto report = [&](const char* stage, double share) {
         if (progress != nullptr) {
             progress->report(stage, share);
@@ -299,8 +300,8 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
     }
     settle_nasion(face->landmarks, face->to_generic);
     face->axes = face->to_generic.rotation.transpose();
-    const auto prn = face->landmarks.count("prn") != 0 ? face->landmarks["prn"]
-                                                       : face->landmarks.at("sn");
+    const auto prn =
+        face->landmarks.count("prn") != 0 ? face->landmarks["prn"] : face->landmarks.at("sn");
     face->skin = main_part(*scan, prn.position);
     face->scan = std::move(scan);
     const TriangleMesh& mesh = face->skin.mesh;
@@ -321,8 +322,7 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
     const SmoothWarp to_average(in_pose, pairs.generic, pairs.errors, kWarpSoftness);
     const SmoothWarp from_average(pairs.generic, in_pose, pairs.errors, kWarpSoftness);
     const Mat3 turn = face->to_generic.scale * face->to_generic.rotation;
-    face->generic =
-        to_average(Points((turn * mesh.vertices).colwise() + face->to_generic.shift));
+    face->generic = to_average(Points((turn * mesh.vertices).colwise() + face->to_generic.shift));
     report("Fitting the face", 0.5);
 
     const Points normals = vertex_normals(mesh, *face->adjacency);
@@ -333,15 +333,14 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
         const bool inward =
             normals.col(v).dot(smooth_normals.col(v)) < 0.0 ||
             looks_inward(face->generic.col(v), face->to_generic.rotation * normals.col(v));
-        face->tissue.push_back(tissue_at(face->generic.col(v),
-                                         depths[v] / face->to_generic.scale, inward));
+        face->tissue.push_back(
+            tissue_at(face->generic.col(v), depths[v] / face->to_generic.scale, inward));
     }
     face->sliding = sliding_surfaces(mesh, *face->adjacency, smooth_normals);
     report("Fitting the face", 0.7);
 
     const Similarity back = face->to_generic.inverse();
-    place_muscles(*face, smooth_normals,
-                  [&](const Vec3& p) { return back(from_average(p)); });
+    place_muscles(*face, smooth_normals, [&](const Vec3& p) { return back(from_average(p)); });
     label_skin(*face);
     face->bone = bone_surface(*face, smooth);
     face->lip_contacts = find_lip_contacts(*face);
@@ -362,8 +361,7 @@ std::string muscles_to_json(const FaceModel& face) {
         if (!linear) {
             points.push_back(points.front());
         }
-        list[muscle.traits.name] = {{"kind", linear ? "linear" : "sphincter"},
-                                    {"points", points}};
+        list[muscle.traits.name] = {{"kind", linear ? "linear" : "sphincter"}, {"points", points}};
     }
     nlohmann::json document;
     const std::string unit = unit_name(frame.mm_per_unit);

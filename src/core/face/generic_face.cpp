@@ -8,13 +8,14 @@
 #include <numbers>
 #include <random>
 
-#include "head_field.h"
 #include "myoface/base/error.h"
 #include "myoface/face/smooth_warp.h"
 #include "myoface/mesh/adjacency.h"
 #include "myoface/mesh/cut.h"
 #include "myoface/mesh/isosurface.h"
 #include "myoface/mesh/remesh.h"
+
+#include "head_field.h"
 #include "norms.h"
 
 namespace myoface {
@@ -25,7 +26,9 @@ const HeadField& head() {
     return kHead;
 }
 
-double bump(double x) { return std::exp(-x * x); }
+double bump(double x) {
+    return std::exp(-x * x);
+}
 
 /// Share of the general edge length wanted at a place: fine where a face has detail.
 double relative_edge_length(const Vec3& p) {
@@ -65,8 +68,8 @@ TriangleMesh subdivided(const TriangleMesh& mesh) {
     for (const MeshEdge& edge : adjacency.edges()) {
         const auto [a, b] = edge.vertices;
         middle[{a, b}] = mesh.vertex_count() + static_cast<int>(added.size());
-        added.push_back(head().onto_surface(
-            0.5 * (mesh.vertices.col(a) + mesh.vertices.col(b)), edge.triangle_count == 1));
+        added.push_back(head().onto_surface(0.5 * (mesh.vertices.col(a) + mesh.vertices.col(b)),
+                                            edge.triangle_count == 1));
     }
     fine.vertices.resize(3, mesh.vertex_count() + static_cast<Eigen::Index>(added.size()));
     fine.vertices.leftCols(mesh.vertex_count()) = mesh.vertices;
@@ -323,8 +326,7 @@ TriangleMesh with_mouth_opening(const TriangleMesh& closed) {
         std::vector<int> next_lower;
         for (std::size_t i = 0; i < chain.size(); ++i) {
             const Vec3 rim = builder.vertices[chain[i]];
-            const double opening =
-                1.0 - std::pow(rim.x() / (HeadField::kMouthCorner + 0.5), 2.0);
+            const double opening = 1.0 - std::pow(rim.x() / (HeadField::kMouthCorner + 0.5), 2.0);
             const Vec3 in(0.0, 0.0, -kStripDepth * strip * (0.35 + 0.65 * opening));
             const Vec3 part_way(0.0, 0.10 * strip * opening, 0.0);
             if (i + 1 == chain.size()) {
@@ -362,13 +364,13 @@ Builder mirrored(const TriangleMesh& half) {
     return whole;
 }
 
-constexpr double kIrisAngle = 0.505;   // half angle seen from the eye's centre [rad]
+constexpr double kIrisAngle = 0.505;  // half angle seen from the eye's centre [rad]
 constexpr double kPupilAngle = 0.165;
 
 void add_eyeball(Builder& builder, double side, int around) {
     const Vec3 centre = HeadField::eye_centre().cwiseProduct(Vec3(side, 1.0, 1.0));
-    std::vector<double> angles{0.06, 0.12, kPupilAngle - 0.01, kPupilAngle + 0.01, 0.24, 0.33, 0.42,
-                               kIrisAngle - 0.035, kIrisAngle + 0.01, 0.58};
+    std::vector<double> angles{0.06, 0.12, kPupilAngle - 0.01, kPupilAngle + 0.01, 0.24,
+                               0.33, 0.42, kIrisAngle - 0.035, kIrisAngle + 0.01,  0.58};
     for (double a = 0.72; a < 2.2; a += 0.2) {
         angles.push_back(a);
     }
@@ -409,16 +411,19 @@ double step(double edge0, double edge1, double x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-Vec3 mixed(const Vec3& a, const Vec3& b, double share) { return a + share * (b - a); }
+Vec3 mixed(const Vec3& a, const Vec3& b, double share) {
+    return a + share * (b - a);
+}
 
 Vec3 eye_colour(const Vec3& local) {
     const double angle = std::acos(std::clamp(local.normalized().z(), -1.0, 1.0));
     const Vec3 sclera(0.86, 0.83, 0.81);
-    const Vec3 iris = mixed({0.36, 0.26, 0.17}, {0.24, 0.19, 0.14},
-                            step(0.25, kIrisAngle, angle));
-    Vec3 colour = mixed(iris, {0.12, 0.10, 0.09}, step(kIrisAngle - 0.09, kIrisAngle - 0.03, angle));
+    const Vec3 iris = mixed({0.36, 0.26, 0.17}, {0.24, 0.19, 0.14}, step(0.25, kIrisAngle, angle));
+    Vec3 colour =
+        mixed(iris, {0.12, 0.10, 0.09}, step(kIrisAngle - 0.09, kIrisAngle - 0.03, angle));
     colour = mixed(colour, sclera, step(kIrisAngle - 0.03, kIrisAngle + 0.01, angle));
-    colour = mixed(Vec3(0.02, 0.02, 0.02), colour, step(kPupilAngle - 0.01, kPupilAngle + 0.01, angle));
+    colour =
+        mixed(Vec3(0.02, 0.02, 0.02), colour, step(kPupilAngle - 0.01, kPupilAngle + 0.01, angle));
     return mixed(colour, {0.80, 0.62, 0.58}, 0.55 * step(0.75, 1.15, angle));
 }
 
@@ -426,15 +431,17 @@ Vec3 eye_colour(const Vec3& local) {
 Vec3 skin_colour(const Vec3& p) {
     static const Spline kUpperBorder({0, 3, 6.2, 10, 14, 19, 22.5, 25},
                                      {-45.6, -45, -44.4, -45.6, -46.9, -49.3, -51.2, -52.2});
-    static const Spline kLowerBorder({0, 6, 12, 17, 21, 25}, {-60, -59.8, -58.4, -56.3, -54.1, -52.3});
-    static const Spline kBrow({8, 14, 20, 28, 36, 44, 50}, {31.5, 34.5, 36.5, 38.6, 38.8, 35.5, 30.5});
+    static const Spline kLowerBorder({0, 6, 12, 17, 21, 25},
+                                     {-60, -59.8, -58.4, -56.3, -54.1, -52.3});
+    static const Spline kBrow({8, 14, 20, 28, 36, 44, 50},
+                              {31.5, 34.5, 36.5, 38.6, 38.8, 35.5, 30.5});
     const double x = std::abs(p.x());
     Vec3 colour(0.82, 0.635, 0.545);
     // A little blood in cheeks, nose and ears; none over the forehead.
-    const double blush = 0.34 * bump((Vec3(x, p.y(), 0) - Vec3(40, -14, 0)).norm() / 24.0) +
-                         0.30 * bump((Vec3(x, p.y(), 0) - Vec3(4, -20, 0)).norm() / 13.0) *
-                             step(85, 100, p.z()) +
-                         0.30 * step(70, 78, x) + 0.15 * bump((p.y() + 84) / 14.0) * step(60, 85, p.z());
+    const double blush =
+        0.34 * bump((Vec3(x, p.y(), 0) - Vec3(40, -14, 0)).norm() / 24.0) +
+        0.30 * bump((Vec3(x, p.y(), 0) - Vec3(4, -20, 0)).norm() / 13.0) * step(85, 100, p.z()) +
+        0.30 * step(70, 78, x) + 0.15 * bump((p.y() + 84) / 14.0) * step(60, 85, p.z());
     colour = mixed(colour, {0.80, 0.50, 0.43}, std::min(blush, 0.5));
     if (p.z() > 60.0) {
         const double lids = bump(((p.y() - 17.0) / 9.0)) * bump((x - 30.0) / 16.0);
@@ -445,10 +452,10 @@ Vec3 skin_colour(const Vec3& p) {
                             step(70, 80, p.z());
         colour = mixed(colour, {0.69, 0.40, 0.37}, 0.85 * lips);
         const double thickness = 3.4 * step(4, 14, x) * (1.0 - 0.55 * step(26, 50, x));
-        const double brow = thickness > 0.1
-                                ? step(thickness + 0.8, thickness - 1.6, std::abs(p.y() - kBrow(x))) *
-                                      step(7.0, 12.0, x) * step(52.0, 44.0, x) * step(50, 62, p.z())
-                                : 0.0;
+        const double brow =
+            thickness > 0.1 ? step(thickness + 0.8, thickness - 1.6, std::abs(p.y() - kBrow(x))) *
+                                  step(7.0, 12.0, x) * step(52.0, 44.0, x) * step(50, 62, p.z())
+                            : 0.0;
         colour = mixed(colour, {0.25, 0.185, 0.15}, 0.78 * brow);
     }
     // Hairline: high over the forehead, forward at the temple, behind the ear.
@@ -594,8 +601,7 @@ Landmarks individual(const Landmarks& average, const GenericFaceOptions& options
         result[name].position.y() += 0.5 * jaw;
     }
     result["prn"].position.z() +=
-        (scale("sn-prn") - 1.0) *
-        (average.at("prn").position.z() - average.at("sn").position.z());
+        (scale("sn-prn") - 1.0) * (average.at("prn").position.z() - average.at("sn").position.z());
     return result;
 }
 
@@ -615,7 +621,8 @@ GenericFace make_generic_face(const GenericFaceOptions& options, const Progress*
     }
     const int around = std::clamp(static_cast<int>(std::sqrt(options.vertices) / 4.5), 16, 64);
     const int eyes = 2 * 18 * around;
-    const TriangleMesh half = half_head(static_cast<int>(0.94 * (options.vertices - eyes)), progress);
+    const TriangleMesh half =
+        half_head(static_cast<int>(0.94 * (options.vertices - eyes)), progress);
     Builder builder = mirrored(with_mouth_opening(with_eye_opening(half)));
     const std::size_t skin_vertices = builder.vertices.size();
     add_eyeball(builder, 1.0, around);

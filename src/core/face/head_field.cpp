@@ -17,8 +17,12 @@ double smooth_min(double a, double b, double k) {
     const double h = std::max(k - std::abs(a - b), 0.0) / k;
     return std::min(a, b) - 0.25 * k * h * h;
 }
-double smooth_max(double a, double b, double k) { return -smooth_min(-a, -b, k); }
-double subtract(double d, double hole, double k) { return smooth_max(d, -hole, k); }
+double smooth_max(double a, double b, double k) {
+    return -smooth_min(-a, -b, k);
+}
+double subtract(double d, double hole, double k) {
+    return smooth_max(d, -hole, k);
+}
 
 double smooth_step(double edge0, double edge1, double x) {
     const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
@@ -149,11 +153,12 @@ HeadField::HeadField()
                            {40.5, 24.9, .75, 0},
                            {45, 20.6, .75, 0}},
                           false);
-    philtral_column_ = snapped({{4.4, -34.5, 1.2, -2.6}, {5.4, -38.5, 1.4, -2.2}, {6.4, -44, 1.3, -1.7}},
-                               false);
-    philtral_groove_ = snapped({{0, -35, 2.0, 3.2}, {0, -39, 2.3, 2.7}, {0, -43.5, 2.3, 2.4}}, false);
-    nasolabial_ = snapped({{20, -22, .8, 2.9}, {25, -29, .8, 2.9}, {30, -39, .8, 2.9}, {33.5, -49, .8, 3.1}},
-                          false);
+    philtral_column_ =
+        snapped({{4.4, -34.5, 1.2, -2.6}, {5.4, -38.5, 1.4, -2.2}, {6.4, -44, 1.3, -1.7}}, false);
+    philtral_groove_ =
+        snapped({{0, -35, 2.0, 3.2}, {0, -39, 2.3, 2.7}, {0, -43.5, 2.3, 2.4}}, false);
+    nasolabial_ = snapped(
+        {{20, -22, .8, 2.9}, {25, -29, .8, 2.9}, {30, -39, .8, 2.9}, {33.5, -49, .8, 3.1}}, false);
     upper_lip_ = snapped({{0, -48.4, 3.5, .9},
                           {5.6, -47.8, 3.7, 1},
                           {13, -49, 2.9, .6},
@@ -242,7 +247,8 @@ double HeadField::nose(const Vec3& q) const {
     const double root = std::sqrt(q.x() * q.x() + e * e);
     const double side = q.x() / (s * root);
     double ridge = (q.z() - (ridge_z_(q.y()) - (root - e) / s)) / std::sqrt(1.0 + side * side);
-    const double bound = std::max({std::abs(q.y() - 2.0) - 36.0, std::abs(q.x()) - 22.0, 62.0 - q.z()});
+    const double bound =
+        std::max({std::abs(q.y() - 2.0) - 36.0, std::abs(q.x()) - 22.0, 62.0 - q.z()});
     double d = smooth_max(ridge, bound, 6.0);
     d = smooth_min(d, sphere(q, {0, -17.9, 111.8}, 5.9), 10.0);
     d = smooth_min(d, sphere(p, {4.6, -18.4, 108.9}, 5.4), 7.0);

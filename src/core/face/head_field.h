@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "myoface/base/points.h"
+
 #include "spline.h"
 
 namespace myoface {
@@ -41,7 +42,7 @@ public:
 
 private:
     double base(const Vec3& p) const;
-    double bony_face(const Vec3& p) const;   ///< base, jaw, brow, cheeks, neck
+    double bony_face(const Vec3& p) const;  ///< base, jaw, brow, cheeks, neck
     double eyes(double d, const Vec3& p) const;
     double nose(const Vec3& p) const;
     double ear(const Vec3& p) const;

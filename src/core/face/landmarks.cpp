@@ -106,9 +106,9 @@ LandmarkFile landmarks_from_json(const std::string& text, const std::string& nam
         }
         const json& xyz = value.is_object() && value.contains("xyz") ? value["xyz"] : value;
         Landmark landmark;
-        const bool three = xyz.is_array() && xyz.size() == 3 &&
-                           std::all_of(xyz.begin(), xyz.end(),
-                                       [](const json& x) { return x.is_number(); });
+        const bool three =
+            xyz.is_array() && xyz.size() == 3 &&
+            std::all_of(xyz.begin(), xyz.end(), [](const json& x) { return x.is_number(); });
         if (!three) {
             throw IoError(name + ": landmark '" + key + "' is not three numbers.");
         }

@@ -15,7 +15,7 @@
 namespace myoface {
 namespace {
 
-constexpr int kParts = 8;             // of a linear muscle's chain
+constexpr int kParts = 8;                // of a linear muscle's chain
 constexpr double kInsertionDepth = 0.3;  // of the tissue's depth
 constexpr double kRingDepth = 0.35;
 
@@ -147,8 +147,8 @@ void place_muscles(FaceModel& face, const Points& smooth_normals,
             for (int k = 0; k <= kParts; ++k) {
                 const double share = static_cast<double>(k) / kParts;
                 // Leaves the bone quickly, then runs under the skin.
-                const double depth = kInsertionDepth + (1.0 - kInsertionDepth) *
-                                                           std::pow(1.0 - share, 2.0);
+                const double depth =
+                    kInsertionDepth + (1.0 - kInsertionDepth) * std::pow(1.0 - share, 2.0);
                 const UnderSkin place = under_skin(skin, even.col(k), depth);
                 muscle.path.col(k) = place.point;
                 muscle.outward.col(k) = place.outward;
@@ -159,8 +159,7 @@ void place_muscles(FaceModel& face, const Points& smooth_normals,
             muscle.path.resize(3, path.cols());
             muscle.outward.resize(3, path.cols());
             for (Eigen::Index i = 0; i < path.cols(); ++i) {
-                const UnderSkin place =
-                    under_skin(skin, path.col(i), kRingDepth);
+                const UnderSkin place = under_skin(skin, path.col(i), kRingDepth);
                 muscle.path.col(i) = place.point;
                 muscle.outward.col(i) = place.outward;
             }

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "myoface/face/face_model.h"
+
 #include "sliding_surface.h"
 
 namespace myoface {

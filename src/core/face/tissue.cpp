@@ -7,11 +7,12 @@
 #include <cmath>
 #include <sstream>
 
-#include "head_field.h"
 #include "myoface/base/error.h"
 #include "myoface/base/resources.h"
 #include "myoface/face/smooth_warp.h"
 #include "myoface/io/text_file.h"
+
+#include "head_field.h"
 
 namespace myoface {
 namespace {
@@ -26,7 +27,9 @@ double smooth_step(double edge0, double edge1, double x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-double mixed(double a, double b, double share) { return a + share * (b - a); }
+double mixed(double a, double b, double share) {
+    return a + share * (b - a);
+}
 
 /// 1 at the lip margins, falling to 0 about 20 mm away.
 double near_lips(double x, double y, double z) {
@@ -47,8 +50,8 @@ Region region_at(double x, double y, double z) {
     if (y < -70.0 - 0.42 * (z - 10.0) || y < -108.0) {
         return Region::Neck;
     }
-    const double hairline = z > 0.0 ? 90.0 - 0.45 * std::max(0.0, x - 34.0) - 0.4 * std::max(0.0, 45.0 - z)
-                                    : 30.0;
+    const double hairline =
+        z > 0.0 ? 90.0 - 0.45 * std::max(0.0, x - 34.0) - 0.4 * std::max(0.0, 45.0 - z) : 30.0;
     if (y > hairline || z < -20.0) {
         return Region::Scalp;
     }
@@ -108,20 +111,34 @@ double strain_limit(Region region) {
 
 std::string region_name(Region region) {
     switch (region) {
-        case Region::Forehead: return "forehead";
-        case Region::Glabella: return "glabella";
-        case Region::Brow: return "brow";
-        case Region::Lids: return "lids";
-        case Region::Temple: return "temple";
-        case Region::Nose: return "nose";
-        case Region::Cheek: return "cheek";
-        case Region::UpperLip: return "upper lip";
-        case Region::LowerLip: return "lower lip";
-        case Region::Chin: return "chin";
-        case Region::Jaw: return "jaw";
-        case Region::Ear: return "ear";
-        case Region::Neck: return "neck";
-        default: return "scalp";
+        case Region::Forehead:
+            return "forehead";
+        case Region::Glabella:
+            return "glabella";
+        case Region::Brow:
+            return "brow";
+        case Region::Lids:
+            return "lids";
+        case Region::Temple:
+            return "temple";
+        case Region::Nose:
+            return "nose";
+        case Region::Cheek:
+            return "cheek";
+        case Region::UpperLip:
+            return "upper lip";
+        case Region::LowerLip:
+            return "lower lip";
+        case Region::Chin:
+            return "chin";
+        case Region::Jaw:
+            return "jaw";
+        case Region::Ear:
+            return "ear";
+        case Region::Neck:
+            return "neck";
+        default:
+            return "scalp";
     }
 }
 
@@ -138,10 +155,12 @@ TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward) {
     t.depth = mixed(depth, 2.0, lids);  // a lid slides on the eyeball, not on the orbit's bone
     t.skin_share = mixed(1.0, 0.35, std::max(lips, lids));
 
-    // The forehead glides on its bone, lips hang free over the vestibule, the inner and outer
-    // canthi and the two facial ligaments hold on.
+    // Thin tissue over the forehead is held more firmly than the cheek (tried: at 0.2, as its
+    // gliding plane suggests, a pull at the forehead reaches further than one at the cheek, which
+    // it does not in a patient). Lips hang free over the vestibule; the inner and outer canthi and
+    // the two facial ligaments hold on.
     const double forehead = smooth_step(26.0, 40.0, y) * smooth_step(20.0, 50.0, z);
-    t.bone_tie = mixed(1.0, 0.6, forehead);
+    t.bone_tie = mixed(1.0, 2.2, forehead);
     t.bone_tie = mixed(t.bone_tie, 0.15, lips);
     const auto tied = [&](const Vec3& at, double reach, double strength) {
         const double d = (Vec3(x, y, z) - at).norm() / reach;
@@ -188,7 +207,8 @@ double upper_lip_share(const Vec3& p, double softness) {
     const double x = std::abs(p.x());
     const double height = p.y() - average_head().lip_line(x);
     const double upper = smooth_step(-softness, softness, height);
-    const double beside = smooth_step(HeadField::kMouthCorner - 5.0, HeadField::kMouthCorner + 1.0, x);
+    const double beside =
+        smooth_step(HeadField::kMouthCorner - 5.0, HeadField::kMouthCorner + 1.0, x);
     return mixed(upper, 0.5, beside);
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "myoface/io/image.h"
 
-#include <jpeglib.h>
-#include <png.h>
-
 #include <csetjmp>
 #include <cstring>
+#include <jpeglib.h>
+#include <png.h>
 #include <string>
 
 #include "myoface/base/error.h"

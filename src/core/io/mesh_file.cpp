@@ -10,6 +10,7 @@
 #include "myoface/mesh/adjacency.h"
 #include "myoface/mesh/normals.h"
 #include "myoface/mesh/weld.h"
+
 #include "readers.h"
 
 namespace myoface {
@@ -214,9 +215,8 @@ std::shared_ptr<const Image> load_texture(const Scan& scan, const std::filesyste
 
 MeshReadReport describe(const Scan& scan, const std::filesystem::path& file) {
     MeshReadReport report;
-    static constexpr std::array<const char*, 4> kFormats{"OBJ", "PLY ascii",
-                                                         "PLY binary little-endian",
-                                                         "PLY binary big-endian"};
+    static constexpr std::array<const char*, 4> kFormats{
+        "OBJ", "PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
     report.format = kFormats[static_cast<std::size_t>(scan.format)];
     report.vertices = scan.mesh.vertex_count();
     report.faces = scan.faces.count();
@@ -227,8 +227,8 @@ MeshReadReport describe(const Scan& scan, const std::filesystem::path& file) {
     }
     const WeldedMesh welded = weld(scan.mesh);
     report.degenerate_triangles = scan.mesh.triangle_count() - welded.mesh.triangle_count();
-    report.unreferenced_vertices = static_cast<int>(
-        std::count(welded.of_vertex.begin(), welded.of_vertex.end(), -1));
+    report.unreferenced_vertices =
+        static_cast<int>(std::count(welded.of_vertex.begin(), welded.of_vertex.end(), -1));
     report.duplicate_vertices =
         report.vertices - report.unreferenced_vertices - welded.mesh.vertex_count();
     report.has_colours = scan.colours.cols() > 0;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "myoface/io/text_file.h"
+
 #include "readers.h"
 
 namespace myoface {
@@ -126,7 +127,9 @@ std::string ply_bytes(const Scan& scan, const Points& in_file) {
     }
     for (int f = 0; f < scan.faces.count(); ++f) {
         const int corners = scan.faces.size(f);
-        const auto count = [&](int n) { ascii ? void(bytes.text += std::to_string(n) + ' ') : bytes.add(n); };
+        const auto count = [&](int n) {
+            ascii ? void(bytes.text += std::to_string(n) + ' ') : bytes.add(n);
+        };
         const auto real = [&](float x) {
             if (ascii) {
                 append_number(bytes.text, static_cast<double>(x));

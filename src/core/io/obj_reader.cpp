@@ -4,12 +4,15 @@
 #include <cstring>
 
 #include "myoface/base/error.h"
+
 #include "readers.h"
 
 namespace myoface {
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\r';
+}
 
 /// Walks over the words of one logical line.
 class Words {
@@ -104,8 +107,7 @@ private:
         double value = 0.0;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (word.empty() || error != std::errc() || end != word.data() + word.size()) {
-            fail(std::string(what) + " '" + std::string(word.substr(0, 40)) +
-                 "' is not a number.");
+            fail(std::string(what) + " '" + std::string(word.substr(0, 40)) + "' is not a number.");
         }
         if (!std::isfinite(value)) {
             fail(std::string(what) + " is not a finite number.");
@@ -169,8 +171,7 @@ private:
             fail(std::string("face ") + what + " '" + std::string(word.substr(0, 40)) +
                  "' is not a whole number.");
         }
-        const long long resolved =
-            value > 0 ? value - 1LL : static_cast<long long>(count) + value;
+        const long long resolved = value > 0 ? value - 1LL : static_cast<long long>(count) + value;
         if (value == 0 || resolved < 0) {
             fail(std::string("face ") + what + " " + std::to_string(value) +
                  " does not exist (the first one is 1).");

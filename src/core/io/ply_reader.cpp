@@ -9,6 +9,7 @@
 #include <map>
 
 #include "myoface/base/error.h"
+
 #include "readers.h"
 
 namespace myoface {
@@ -56,8 +57,7 @@ std::string_view word_of(std::string_view& line) {
 
 class PlyParser {
 public:
-    PlyParser(std::string_view bytes, const std::string& name, Scan& scan,
-              const Progress* progress)
+    PlyParser(std::string_view bytes, const std::string& name, Scan& scan, const Progress* progress)
         : bytes_(bytes), name_(name), scan_(scan), progress_(progress) {}
 
     void parse() {
@@ -143,8 +143,8 @@ private:
                 Element element;
                 element.name = word_of(line);
                 const std::string_view count = word_of(line);
-                const auto parsed = std::from_chars(count.data(), count.data() + count.size(),
-                                                    element.count);
+                const auto parsed =
+                    std::from_chars(count.data(), count.data() + count.size(), element.count);
                 if (parsed.ec != std::errc() || parsed.ptr != count.data() + count.size() ||
                     count.empty()) {
                     fail("the PLY header gives no usable count for element '" + element.name +
@@ -249,11 +249,12 @@ private:
         const bool whole =
             stop == bytes_.size() || std::isspace(static_cast<unsigned char>(bytes_[stop]));
         if (error != std::errc() || !whole) {
-            fail_at(element, i, "'" +
-                                    std::string(bytes_.substr(
-                                        at_, std::min<std::size_t>(
-                                                 20, bytes_.find_first_of(" \r\n", at_) - at_))) +
-                                    "' is not a number.");
+            fail_at(
+                element, i,
+                "'" +
+                    std::string(bytes_.substr(
+                        at_, std::min<std::size_t>(20, bytes_.find_first_of(" \r\n", at_) - at_))) +
+                    "' is not a number.");
         }
         at_ = stop;
         return result;
@@ -273,8 +274,7 @@ private:
     void skip(const Element& element) {
         for (std::size_t i = 0; i < element.count; ++i) {
             for (const Property& property : element.properties) {
-                const std::size_t count =
-                    property.is_list ? list_size(element, i, property) : 1;
+                const std::size_t count = property.is_list ? list_size(element, i, property) : 1;
                 for (std::size_t k = 0; k < count; ++k) {
                     value(element, i, property.type);
                 }
@@ -291,11 +291,24 @@ private:
 
     void vertices(const Element& element) {
         // Where each property goes: 0-2 position, 3-5 colour, 6-7 UV.
-        static const std::map<std::string_view, int> kSlots{
-            {"x", 0},   {"y", 1},      {"z", 2}, {"red", 3}, {"green", 4},     {"blue", 5},
-            {"r", 3},   {"g", 4},      {"b", 5}, {"s", 6},   {"t", 7},         {"u", 6},
-            {"v", 7},   {"texture_u", 6},        {"texture_v", 7},             {"diffuse_red", 3},
-            {"diffuse_green", 4},      {"diffuse_blue", 5}};
+        static const std::map<std::string_view, int> kSlots{{"x", 0},
+                                                            {"y", 1},
+                                                            {"z", 2},
+                                                            {"red", 3},
+                                                            {"green", 4},
+                                                            {"blue", 5},
+                                                            {"r", 3},
+                                                            {"g", 4},
+                                                            {"b", 5},
+                                                            {"s", 6},
+                                                            {"t", 7},
+                                                            {"u", 6},
+                                                            {"v", 7},
+                                                            {"texture_u", 6},
+                                                            {"texture_v", 7},
+                                                            {"diffuse_red", 3},
+                                                            {"diffuse_green", 4},
+                                                            {"diffuse_blue", 5}};
         std::vector<int> slots;
         std::array<bool, 8> has{};
         double colour_scale = 1.0;

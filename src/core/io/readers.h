@@ -11,8 +11,7 @@ namespace myoface {
 
 /// Both fill vertices (file's own unit and axes), faces, colours, UV and texture name; triangles
 /// follow later. `name` is the file's name for messages. @throws IoError
-void read_obj(std::string_view text, const std::string& name, Scan& scan,
-              const Progress* progress);
+void read_obj(std::string_view text, const std::string& name, Scan& scan, const Progress* progress);
 void read_ply(std::string_view bytes, const std::string& name, Scan& scan,
               const Progress* progress);
 

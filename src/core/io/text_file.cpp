@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "myoface/io/text_file.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <charconv>
 #include <fstream>
 #include <system_error>
+#include <unistd.h>
 
 #include "myoface/base/error.h"
 

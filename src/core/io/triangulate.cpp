@@ -19,8 +19,7 @@ Vec3 face_normal(const Points& vertices, const std::vector<int>& corners) {
 }
 
 /// Corner positions, as numbers 0 … n-1, of the triangles of one face.
-std::vector<std::array<int, 3>> clip_ears(const Points& vertices,
-                                          const std::vector<int>& corners) {
+std::vector<std::array<int, 3>> clip_ears(const Points& vertices, const std::vector<int>& corners) {
     const Vec3 normal = face_normal(vertices, corners);
     const auto at = [&](int k) -> Vec3 { return vertices.col(corners[k]); };
     const auto turn = [&](int a, int b, int c) {
@@ -46,9 +45,9 @@ std::vector<std::array<int, 3>> clip_ears(const Points& vertices,
                 return k != a && k != b && k != c && turn(a, b, k) > 0.0 && turn(b, c, k) > 0.0 &&
                        turn(c, a, k) > 0.0;
             });
-            const double longest = std::max({(at(a) - at(b)).squaredNorm(),
-                                             (at(b) - at(c)).squaredNorm(),
-                                             (at(c) - at(a)).squaredNorm()});
+            const double longest =
+                std::max({(at(a) - at(b)).squaredNorm(), (at(b) - at(c)).squaredNorm(),
+                          (at(c) - at(a)).squaredNorm()});
             const double shape = longest > 0.0 ? 1.0 / longest : 0.0;
             if (!holds_another && shape > best_shape) {
                 best = i;
@@ -97,8 +96,8 @@ void triangulate(Scan& scan) {
 }
 
 void set_frame(Scan& scan, const FileFrame& frame) {
-    const Mat3 change = frame.mm_per_unit / scan.frame.mm_per_unit * frame.axes *
-                        scan.frame.axes.transpose();
+    const Mat3 change =
+        frame.mm_per_unit / scan.frame.mm_per_unit * frame.axes * scan.frame.axes.transpose();
     scan.mesh.vertices = (change * scan.mesh.vertices).eval();
     scan.frame = frame;
 }

@@ -86,8 +86,7 @@ std::span<const int> Adjacency::triangles(int vertex) const {
             triangles_.data() + triangle_start_[vertex + 1]};
 }
 
-std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh,
-                                             const Adjacency& adjacency) {
+std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh, const Adjacency& adjacency) {
     // Directed border edges in the sense of their triangle; a loop follows them backwards, so that
     // it runs as the missing face would.
     std::vector<std::vector<int>> successors(static_cast<std::size_t>(mesh.vertex_count()));

@@ -177,9 +177,9 @@ ClosestPoint Bvh::closest_point(const TriangleMesh& mesh, const Vec3& query) con
         if (node.left < 0) {
             for (int i = node.begin; i < node.end; ++i) {
                 const int t = order_[i];
-                const SurfacePoint where{t, closest_barycentric(mesh.corner(t, 0),
-                                                                mesh.corner(t, 1),
-                                                                mesh.corner(t, 2), query)};
+                const SurfacePoint where{
+                    t, closest_barycentric(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2),
+                                           query)};
                 const Vec3 point = position(mesh, where);
                 const double squared = (point - query).squaredNorm();
                 if (squared < best_squared ||

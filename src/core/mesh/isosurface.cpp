@@ -13,8 +13,8 @@
 namespace myoface {
 namespace {
 
-constexpr int kBlock = 4;               // cells per block of the first, coarse look
-constexpr double kSteepest = 1.6;       // the field may grow faster than a distance
+constexpr int kBlock = 4;          // cells per block of the first, coarse look
+constexpr double kSteepest = 1.6;  // the field may grow faster than a distance
 constexpr float kFar = 1e30F;
 
 struct Grid {
@@ -98,8 +98,8 @@ public:
         };
         Vec3 outward = Vec3::Zero();
         for (int c = 0; c < 4; ++c) {
-            outward += (values[c] < 0.0F ? -1.0 / inside : 1.0 / (4 - inside)) *
-                       corners[c].cast<double>();
+            outward +=
+                (values[c] < 0.0F ? -1.0 / inside : 1.0 / (4 - inside)) * corners[c].cast<double>();
         }
         if (inside == 1) {
             add(cut(0, 1), cut(0, 2), cut(0, 3), outward);
@@ -141,9 +141,8 @@ private:
             // Not too close to a grid point: the triangle there would have no area.
             const double share =
                 std::clamp(static_cast<double>(value_a) / (value_a - value_b), 0.02, 0.98);
-            vertices_.push_back(grid_.origin +
-                                grid_.cell * ((1.0 - share) * a.cast<double>() +
-                                              share * b.cast<double>()));
+            vertices_.push_back(grid_.origin + grid_.cell * ((1.0 - share) * a.cast<double>() +
+                                                             share * b.cast<double>()));
         }
         return static_cast<int>(found->second);
     }

@@ -311,8 +311,8 @@ private:
         } else {
             for (const int t : around_[v]) {
                 const Corners& c = triangles_[t];
-                const Vec3 area =
-                    (positions_[c[1]] - positions_[c[0]]).cross(positions_[c[2]] - positions_[c[0]]);
+                const Vec3 area = (positions_[c[1]] - positions_[c[0]])
+                                      .cross(positions_[c[2]] - positions_[c[0]]);
                 // Small triangles wanted here count for more, so that sizes stay graded.
                 const double local = (wanted_[c[0]] + wanted_[c[1]] + wanted_[c[2]]) / 3.0;
                 const double weight = area.norm() / (local * local);

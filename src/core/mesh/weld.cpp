@@ -27,8 +27,8 @@ WeldedMesh weld(const TriangleMesh& mesh) {
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         const Eigen::Vector3i corners(first[mesh.triangles(0, t)], first[mesh.triangles(1, t)],
                                       first[mesh.triangles(2, t)]);
-        const bool repeated = corners[0] == corners[1] || corners[1] == corners[2] ||
-                              corners[2] == corners[0];
+        const bool repeated =
+            corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
         if (repeated || !(double_area_vector(mesh, t).squaredNorm() > 0.0)) {
             continue;
         }

@@ -95,8 +95,8 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
                     continue;
                 }
                 const Vec3 p = face.skin.mesh.vertices.col(i);
-                const Vec3 unit = linear ? linear_response(line, p, form)
-                                         : sphincter_response(ring, p);
+                const Vec3 unit =
+                    linear ? linear_response(line, p, form) : sphincter_response(ring, p);
                 const double share = zone_share(traits, face.generic.col(i), face.tissue[i]);
                 const Vec3 shift = traits.gain * traits.pull * share * unit;
                 if (shift.squaredNorm() < 1e-10) {
@@ -140,6 +140,7 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
             drive.height = Eigen::VectorXd::Zero(n);
             drive.tether_boost = Eigen::VectorXd::Ones(n);
             drive.length_factor.assign(system.model.springs.size(), 1.0);
+            drive.stiffness_factor.assign(system.model.springs.size(), 1.0);
         }
         const MuscleResponse& response = responses[m];
         for (std::size_t k = 0; k < response.nodes.size(); ++k) {
@@ -149,13 +150,13 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
             drive.height[i] += c * response.height[column];
             // As much hold on loose skin as on tight: the lips must follow, not only the cheek.
             const double most = 1.0 + kHold / system.bone_tie[i];
-            drive.tether_boost[i] =
-                std::min(most, drive.tether_boost[i] +
-                                   std::abs(c) * response.hold[column] * (most - 1.0));
+            drive.tether_boost[i] = std::min(
+                most, drive.tether_boost[i] + std::abs(c) * response.hold[column] * (most - 1.0));
         }
         const MuscleChain& chain = system.chains[m];
         for (int s = chain.first_spring; s < chain.first_spring + chain.spring_count; ++s) {
             drive.length_factor[s] = 1.0 - c * chain.shortening;
+            drive.stiffness_factor[s] = 1.0 + std::max(c, 0.0) * (chain.activation - 1.0);
         }
     }
     return drive;

@@ -42,8 +42,8 @@ double radial_response(double distance, double falloff_start, double falloff_end
         case ResponseForm::LaterCode:
             return distance / falloff_start * (inner ? 1.0 : std::cos(kQuarter * out));
         case ResponseForm::Smooth: {
-            const double half = inner ? std::sin(kQuarter * distance / falloff_start)
-                                      : std::cos(kQuarter * out);
+            const double half =
+                inner ? std::sin(kQuarter * distance / falloff_start) : std::cos(kQuarter * out);
             return half * half;
         }
         default:
@@ -102,7 +102,8 @@ Vec3 sphincter_response(const SphincterZone& zone, const Vec3& point) noexcept {
     const double fade = (1.0 - away * away) * (1.0 - away * away);
     const double w = (1.0 - square) * (1.0 - square) * fade;
     // max of ρ (1 − ρ²)² is 16/(25 √5), reached along the longer axis
-    const double peak = 16.0 / (25.0 * std::sqrt(5.0)) * std::max(zone.half_width, zone.half_height);
+    const double peak =
+        16.0 / (25.0 * std::sqrt(5.0)) * std::max(zone.half_width, zone.half_height);
     return -w / peak * (x * zone.wide + y * high) + zone.forward * w * zone.axis;
 }
 

@@ -5,23 +5,24 @@
 #include <array>
 #include <cmath>
 
-
 namespace myoface {
 namespace {
 
-constexpr double kLongestCotangent = 8.0;   // of a thin triangle
-constexpr double kInsertionRadius = 9.0;    // of a linear muscle's end in the skin [mm]
-constexpr double kRingRadius = 7.0;         // of a ring's hold on the skin [mm]
-constexpr double kChainAnchor = 20.0;       // of a chain's inner nodes [mN/mm]
-constexpr double kTensionSpan = 0.3;        // a chain's full tension is reached at this strain
-constexpr double kMuscleArea = 12.0;        // cross-section [mm²]
+constexpr double kLongestCotangent = 8.0;  // of a thin triangle
+constexpr double kInsertionRadius = 9.0;   // of a linear muscle's end in the skin [mm]
+constexpr double kRingRadius = 7.0;        // of a ring's hold on the skin [mm]
+constexpr double kChainAnchor = 20.0;      // of a chain's inner nodes [mN/mm]
+constexpr double kTensionSpan = 0.3;       // a chain's full tension is reached at this strain
+constexpr double kMuscleArea = 12.0;       // cross-section [mm²]
 
 /// Collects a symmetric matrix entry by entry.
 class MatrixBuilder {
 public:
     explicit MatrixBuilder(int rows) : rows_(static_cast<std::size_t>(rows)) {}
 
-    void add(int i, int j, double value) { rows_[static_cast<std::size_t>(i)].emplace_back(j, value); }
+    void add(int i, int j, double value) {
+        rows_[static_cast<std::size_t>(i)].emplace_back(j, value);
+    }
     /// ½ k |u_i − u_j|²
     void add_link(int i, int j, double k) {
         add(i, i, k);
@@ -240,11 +241,11 @@ private:
         chain.first_spring = static_cast<int>(model.springs.size());
         const int parts = ring ? chain.node_count : chain.node_count - 1;
         // Full tension at a strain of kTensionSpan, held while the skin end goes its way.
-        const double total = muscle.traits.strength * 1000.0 /
-                             (kTensionSpan * std::max(muscle.length, 5.0));
-        chain.shortening = ring ? kTensionSpan
-                                : std::min(0.6, kTensionSpan + muscle.traits.pull /
-                                                                   std::max(muscle.length, 5.0));
+        const double total =
+            muscle.traits.strength * 1000.0 / (kTensionSpan * std::max(muscle.length, 5.0));
+        chain.shortening =
+            ring ? kTensionSpan
+                 : std::min(0.6, kTensionSpan + muscle.traits.pull / std::max(muscle.length, 5.0));
         for (int k = 0; k < chain.node_count; ++k) {
             const int node = next + k;
             model.rest.col(node) = muscle.path.col(k);
@@ -270,11 +271,12 @@ private:
             spring.a = next + k;
             spring.b = next + (k + 1) % chain.node_count;
             spring.length = (model.rest.col(spring.a) - model.rest.col(spring.b)).norm();
-            spring.stiffness = total * parts;
+            spring.stiffness = c_.passive_muscle * total * parts;
             spring.label = {Tissue::Muscle, index};
             model.springs.push_back(spring);
         }
         chain.spring_count = parts;
+        chain.activation = 1.0 / c_.passive_muscle;
         next += chain.node_count;
         out_.chains.push_back(chain);
     }

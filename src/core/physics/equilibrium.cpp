@@ -7,16 +7,17 @@
 
 #include "myoface/base/parallel.h"
 #include "myoface/physics/euler.h"
+
 #include "node_force.h"
 
 namespace myoface {
 namespace {
 
 constexpr int kGrain = 384;
-constexpr int kMassesEvery = 40;       // iterations
-constexpr int kLookEvery = 5;          // iterations between looks at convergence
-constexpr double kMassSafety = 1.15;   // over Gershgorin's bound for a unit step
-constexpr double kRunaway = 200.0;     // no tissue moves that far [mm]
+constexpr int kMassesEvery = 40;      // iterations
+constexpr int kLookEvery = 5;         // iterations between looks at convergence
+constexpr double kMassSafety = 1.15;  // over Gershgorin's bound for a unit step
+constexpr double kRunaway = 200.0;    // no tissue moves that far [mm]
 
 /// What a chunk of nodes adds to the sums of one iteration, in fixed order.
 struct ChunkSums {
@@ -39,7 +40,9 @@ NodeUpdate stepped(const Vec3& x, const Vec3& v, const Vec3& f, double mass, dou
 
 EquilibriumSolver::EquilibriumSolver(const MassSpringModel& model) : model_(model) {}
 
-void EquilibriumSolver::restart() { warm_ = false; }
+void EquilibriumSolver::restart() {
+    warm_ = false;
+}
 
 void EquilibriumSolver::scale_masses(const MassSpringState& state, const Drive& drive,
                                      std::span<const HandPull> pulls) {
@@ -84,7 +87,7 @@ Eigen::Vector2d EquilibriumSolver::pull_force(const Points& x, const HandPull& p
 }
 
 void EquilibriumSolver::advance(const MassSpringState& state, const Drive& drive,
-                                  std::span<const HandPull> pulls, bool layer) {
+                                std::span<const HandPull> pulls, bool layer) {
     const int n = model_.node_count();
     const int chunks = (n + kGrain - 1) / kGrain;
     const Points& x = state.positions;
@@ -125,7 +128,7 @@ void EquilibriumSolver::advance(const MassSpringState& state, const Drive& drive
                 layer_force_.col(i) = f;
                 layer_velocity_.col(i) = update.velocity;
                 layer_next_.col(i) = update.position;
-                }
+            }
             sums[chunks + begin / kGrain] = sum;
         });
     }
@@ -237,7 +240,8 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
         }
         const bool look = k % kLookEvery == kLookEvery - 1 || k + 1 == options.iterations;
         if (look) {
-            report.last_step = std::sqrt((next_ - state.positions).colwise().squaredNorm().maxCoeff());
+            report.last_step =
+                std::sqrt((next_ - state.positions).colwise().squaredNorm().maxCoeff());
             if (layer) {
                 report.last_step = std::max(
                     report.last_step,

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "myoface/physics/forces.h"
+
 #include "node_force.h"
 
 namespace myoface {
@@ -36,8 +37,8 @@ void explicit_euler_step(const MassSpringModel& model, MassSpringState& state, c
     state.velocities += step * a;
 }
 
-void symplectic_euler_step(const MassSpringModel& model, MassSpringState& state,
-                           const Drive& drive, double step) {
+void symplectic_euler_step(const MassSpringModel& model, MassSpringState& state, const Drive& drive,
+                           double step) {
     state.velocities += step * accelerations(model, state, drive);
     state.positions += step * state.velocities;
 }
@@ -49,11 +50,10 @@ Eigen::VectorXd stiffness_row_sums(const MassSpringModel& model, const Points& p
         double sum = 0.0;
         for (int e = model.spring_start[i]; e < model.spring_start[i + 1]; ++e) {
             const SpringEnd& spring = model.spring_ends[e];
-            double k = spring.stiffness;
+            double k = active_stiffness(spring.stiffness, drive, spring.spring);
             if (spring.stiffening > 0.0) {
                 const double natural = natural_length(spring.length, drive, spring.spring);
-                const double distance =
-                    (positions.col(i) - positions.col(spring.other)).norm();
+                const double distance = (positions.col(i) - positions.col(spring.other)).norm();
                 const double over =
                     std::max(std::abs(distance / natural - 1.0) - kStiffeningStart, 0.0);
                 k *= 1.0 + 2.0 * spring.stiffening * over;

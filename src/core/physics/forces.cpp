@@ -2,6 +2,7 @@
 #include "myoface/physics/forces.h"
 
 #include "myoface/base/parallel.h"
+
 #include "node_force.h"
 
 namespace myoface {
@@ -81,11 +82,13 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
         const Spring& spring = model.springs[s];
         const double natural = natural_length(spring.length, drive, static_cast<int>(s));
         const double distance = (x.col(spring.a) - x.col(spring.b)).norm();
-        energy += 0.5 * spring.stiffness * (distance - natural) * (distance - natural);
+        const double k = active_stiffness(spring.stiffness, drive, static_cast<int>(s));
+        energy += 0.5 * k * (distance - natural) * (distance - natural);
         if (spring.stiffening > 0.0 && natural > 0.0) {
-            const double over = std::max(std::abs(distance / natural - 1.0) - kStiffeningStart, 0.0);
-            energy += spring.stiffness * natural * natural * spring.stiffening * over * over *
-                      over / 3.0;
+            const double over =
+                std::max(std::abs(distance / natural - 1.0) - kStiffeningStart, 0.0);
+            energy +=
+                spring.stiffness * natural * natural * spring.stiffening * over * over * over / 3.0;
         }
     }
     const Points u = x - model.rest;

@@ -22,7 +22,8 @@ void index_rows(MassSpringModel& model) {
     std::vector<int> at(model.spring_start.begin(), model.spring_start.end() - 1);
     for (std::size_t s = 0; s < model.springs.size(); ++s) {
         const Spring& spring = model.springs[s];
-        for (const auto& [from, to] : {std::pair(spring.a, spring.b), std::pair(spring.b, spring.a)}) {
+        for (const auto& [from, to] :
+             {std::pair(spring.a, spring.b), std::pair(spring.b, spring.a)}) {
             model.spring_ends[at[from]++] = {to, static_cast<int>(s), spring.stiffness,
                                              spring.length, spring.stiffening};
         }

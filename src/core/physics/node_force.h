@@ -10,22 +10,26 @@ namespace myoface {
 
 constexpr double kStiffeningStart = 0.2;  // strain
 
-/// Tension of a stretched spring per unit of length, so that the force on a is −ratio · (x_a − x_b).
-template <typename AnySpring>
-double tension_ratio(const AnySpring& spring, double distance, double natural) {
+/// Tension of a stretched spring per unit of length, so that the force on a is −ratio · (x_a −
+/// x_b).
+/// @param stiffness k as the drive has it
+inline double tension_ratio(double stiffness, double stiffening, double distance, double natural) {
     if (!(distance > 0.0)) {
         return 0.0;
     }
-    double tension = spring.stiffness * (distance - natural);
-    if (spring.stiffening > 0.0 && natural > 0.0) {
+    double tension = stiffness * (distance - natural);
+    if (stiffening > 0.0 && natural > 0.0) {
         const double strain = distance / natural - 1.0;
         const double over = std::abs(strain) - kStiffeningStart;
         if (over > 0.0) {
-            tension += std::copysign(
-                spring.stiffness * natural * spring.stiffening * over * over, strain);
+            tension += std::copysign(stiffness * natural * stiffening * over * over, strain);
         }
     }
     return tension / distance;
+}
+
+inline double active_stiffness(double stiffness, const Drive& drive, int spring) {
+    return drive.stiffness_factor.empty() ? stiffness : stiffness * drive.stiffness_factor[spring];
 }
 
 inline double natural_length(double length, const Drive& drive, int spring) {
@@ -40,7 +44,9 @@ inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Poin
     for (int e = model.spring_start[i]; e < model.spring_start[i + 1]; ++e) {
         const SpringEnd& end = model.spring_ends[e];
         const Vec3 r = at - x.col(end.other);
-        force -= tension_ratio(end, r.norm(), natural_length(end.length, drive, end.spring)) * r;
+        force -= tension_ratio(active_stiffness(end.stiffness, drive, end.spring), end.stiffening,
+                               r.norm(), natural_length(end.length, drive, end.spring)) *
+                 r;
     }
     for (int e = model.linear.start[i]; e < model.linear.start[i + 1]; ++e) {
         const int j = model.linear.column[e];
@@ -70,8 +76,7 @@ inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Poin
     const int c = model.contact_of[i];
     if (c >= 0) {
         const Contact& contact = model.contacts[c];
-        const double gap =
-            contact.normal.dot(x.col(contact.a) - x.col(contact.b)) - contact.gap;
+        const double gap = contact.normal.dot(x.col(contact.a) - x.col(contact.b)) - contact.gap;
         if (gap < 0.0) {
             force += (i == contact.a ? -1.0 : 1.0) * contact.stiffness * gap * contact.normal;
         }

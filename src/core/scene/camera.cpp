@@ -53,8 +53,7 @@ ViewRay view_ray(const Camera& camera, double pixel_x, double pixel_y, int width
 PixelPoint project(const Camera& camera, const Vec3& point, int width, int height) {
     const Vec3 local = camera.orientation.conjugate() * (point - camera.target);
     const double depth = camera.distance - local.z();
-    const double shrink =
-        camera.orthographic ? 1.0 : camera.distance / std::max(depth, 1e-9);
+    const double shrink = camera.orthographic ? 1.0 : camera.distance / std::max(depth, 1e-9);
     const double scale = shrink / camera.mm_per_pixel(height);
     return {0.5 * width + scale * local.x(), 0.5 * height - scale * local.y(), depth};
 }

@@ -8,9 +8,12 @@
 namespace myoface {
 
 Eigen::Vector3f colour_map(double value) {
-    static const std::array<Eigen::Vector3f, 6> kStops{
-        {{0.17F, 0.11F, 0.36F}, {0.16F, 0.29F, 0.56F}, {0.10F, 0.48F, 0.56F},
-         {0.20F, 0.65F, 0.48F}, {0.60F, 0.79F, 0.30F}, {0.98F, 0.91F, 0.25F}}};
+    static const std::array<Eigen::Vector3f, 6> kStops{{{0.17F, 0.11F, 0.36F},
+                                                        {0.16F, 0.29F, 0.56F},
+                                                        {0.10F, 0.48F, 0.56F},
+                                                        {0.20F, 0.65F, 0.48F},
+                                                        {0.60F, 0.79F, 0.30F},
+                                                        {0.98F, 0.91F, 0.25F}}};
     const auto at = static_cast<float>(std::clamp(value, 0.0, 1.0) * (kStops.size() - 1));
     const auto low = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
     const float share = at - static_cast<float>(low);

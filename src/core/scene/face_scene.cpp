@@ -11,8 +11,8 @@
 namespace myoface {
 namespace {
 
-constexpr int kSides = 10;       // of a fibre bundle
-constexpr int kPerPart = 4;      // rings per part of a chain
+constexpr int kSides = 10;              // of a fibre bundle
+constexpr int kPerPart = 4;             // rings per part of a chain
 constexpr double kHalfThickness = 0.9;  // of a bundle [mm]
 
 /// Catmull-Rom through the chain's nodes.
@@ -27,11 +27,11 @@ std::vector<Vec3> smooth_line(const std::vector<Vec3>& through, bool closed) {
     for (int span = 0; span < spans; ++span) {
         for (int k = 0; k < kPerPart; ++k) {
             const double t = static_cast<double>(k) / kPerPart;
-            line.push_back(0.5 * (2.0 * at(span) + t * (at(span + 1) - at(span - 1)) +
-                                  t * t * (2.0 * at(span - 1) - 5.0 * at(span) +
-                                           4.0 * at(span + 1) - at(span + 2)) +
-                                  t * t * t * (3.0 * at(span) - at(span - 1) -
-                                               3.0 * at(span + 1) + at(span + 2))));
+            line.push_back(
+                0.5 *
+                (2.0 * at(span) + t * (at(span + 1) - at(span - 1)) +
+                 t * t * (2.0 * at(span - 1) - 5.0 * at(span) + 4.0 * at(span + 1) - at(span + 2)) +
+                 t * t * t * (3.0 * at(span) - at(span - 1) - 3.0 * at(span + 1) + at(span + 2))));
         }
     }
     if (!closed) {
@@ -43,26 +43,26 @@ std::vector<Vec3> smooth_line(const std::vector<Vec3>& through, bool closed) {
 /// A flat bundle of fibres along a line: broad along the face, thin across.
 void append_bundle(std::vector<Vec3>& positions, std::vector<std::uint32_t>* indices,
                    const std::vector<Vec3>& line, const std::vector<Vec3>& outward, bool closed,
-                   double breadth,
-                   double thickness) {
+                   double breadth, double thickness) {
     const auto n = static_cast<int>(line.size());
     const auto first = static_cast<std::uint32_t>(positions.size());
     for (int i = 0; i < n; ++i) {
-        const Vec3& before = line[static_cast<std::size_t>(closed ? (i + n - 1) % n
-                                                                  : std::max(i - 1, 0))];
-        const Vec3& after = line[static_cast<std::size_t>(closed ? (i + 1) % n
-                                                                 : std::min(i + 1, n - 1))];
+        const Vec3& before =
+            line[static_cast<std::size_t>(closed ? (i + n - 1) % n : std::max(i - 1, 0))];
+        const Vec3& after =
+            line[static_cast<std::size_t>(closed ? (i + 1) % n : std::min(i + 1, n - 1))];
         const Vec3 along = (after - before).normalized();
         const Vec3 broad = along.cross(outward[static_cast<std::size_t>(i)]).normalized();
         const Vec3 thin = broad.cross(along);
         const double t = static_cast<double>(i) / (n - 1);
         const double belly =
-            closed ? 1.0 : 0.45 + 0.55 * std::pow(std::sin(std::numbers::pi * (0.08 + 0.84 * t)), 0.7);
+            closed ? 1.0
+                   : 0.45 + 0.55 * std::pow(std::sin(std::numbers::pi * (0.08 + 0.84 * t)), 0.7);
         for (int k = 0; k < kSides; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / kSides;
-            positions.push_back(line[static_cast<std::size_t>(i)] +
-                                belly * (breadth * std::cos(angle) * broad +
-                                         thickness * std::sin(angle) * thin));
+            positions.push_back(
+                line[static_cast<std::size_t>(i)] +
+                belly * (breadth * std::cos(angle) * broad + thickness * std::sin(angle) * thin));
         }
     }
     if (indices == nullptr) {
@@ -93,8 +93,8 @@ FloatPoints normals_of(const FloatPoints& positions, const std::vector<std::uint
     FloatPoints normals = FloatPoints::Zero(3, positions.cols());
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
         const Eigen::Vector3f a = positions.col(indices[i]);
-        const Eigen::Vector3f n = (positions.col(indices[i + 1]) - a)
-                                      .cross(positions.col(indices[i + 2]) - a);
+        const Eigen::Vector3f n =
+            (positions.col(indices[i + 1]) - a).cross(positions.col(indices[i + 2]) - a);
         for (std::size_t c = 0; c < 3; ++c) {
             normals.col(indices[i + c]) += n;
         }

@@ -151,8 +151,7 @@ DragEdit parse_drag(const std::string& text) {
             if (value != "mouse" && value != "constraint") {
                 wrong("mode is mouse or constraint.");
             }
-            drag.mode =
-                value == "mouse" ? DragMode::MousePriority : DragMode::ConstraintPriority;
+            drag.mode = value == "mouse" ? DragMode::MousePriority : DragMode::ConstraintPriority;
         } else if (key == "radius") {
             if (!read_number(value, drag.radius) || drag.radius < 0.0 || drag.radius > 100.0) {
                 wrong("radius is a number of millimetres from 0 to 100.");
@@ -190,8 +189,8 @@ Plan plan_from_json(const std::string& text, const std::string& name) {
     Plan plan;
     for (const json& edit : document["plan"]) {
         const std::string place = name + " edit " + std::to_string(plan.size() + 1) + ": ";
-        const bool muscle = edit.is_object() && edit.contains("muscle") &&
-                            edit["muscle"].is_string();
+        const bool muscle =
+            edit.is_object() && edit.contains("muscle") && edit["muscle"].is_string();
         if (edit.is_object() && edit.contains("drag") && edit["drag"].is_string()) {
             plan.emplace_back(parse_drag(edit["drag"].get<std::string>()));
         } else if (muscle && edit.contains("rate") && edit["rate"].is_number()) {
@@ -250,8 +249,7 @@ PlanReport run_plan(Simulator& simulator, const Plan& plan) {
                 simulator.settle();
             }
             const bool last = i + 1 == plan.size();
-            report.drags.push_back(
-                run_drag(simulator, std::get<DragEdit>(plan[i]), last, report));
+            report.drags.push_back(run_drag(simulator, std::get<DragEdit>(plan[i]), last, report));
             settled = true;
         }
     }

@@ -53,8 +53,8 @@ Simulator::~Simulator() = default;
 void Simulator::rebuild() {
     drag_.reset();
     solver_.reset();
-    system_ = std::make_unique<FaceMassSpring>(
-        build_mass_spring(*face_, skin_rest_, options_.tissue));
+    system_ =
+        std::make_unique<FaceMassSpring>(build_mass_spring(*face_, skin_rest_, options_.tissue));
     system_->model.rest_gravity = kUprightGravity;
     validate(system_->model);
     solver_ = std::make_unique<EquilibriumSolver>(system_->model);
@@ -67,7 +67,7 @@ void Simulator::refresh_drive() {
 }
 
 void Simulator::set_contraction(int muscle, double rate) {
-    if (!(rate >= kLeastContraction && rate <= kMostContraction)) {
+    if (!std::isfinite(rate) || rate < kLeastContraction || rate > kMostContraction) {
         throw InvalidInput("The contraction of " + face_->muscles[muscle].traits.name +
                            " must lie between -0.5 and 1.");
     }
@@ -76,7 +76,7 @@ void Simulator::set_contraction(int muscle, double rate) {
 }
 
 void Simulator::set_strength(int muscle, double strength) {
-    if (!(strength >= 0.0 && strength <= 1.0)) {
+    if (!std::isfinite(strength) || strength < 0.0 || strength > 1.0) {
         throw InvalidInput("The strength of " + face_->muscles[muscle].traits.name +
                            " must lie between 0 and 1.");
     }
@@ -115,7 +115,9 @@ void Simulator::move_drag(const ViewRay& ray) {
     }
 }
 
-const StressKernel* Simulator::drag_kernel() const { return drag_ ? &drag_->kernel() : nullptr; }
+const StressKernel* Simulator::drag_kernel() const {
+    return drag_ ? &drag_->kernel() : nullptr;
+}
 
 DragReport Simulator::end_drag(bool keep) {
     if (!drag_) {
@@ -195,8 +197,8 @@ StepReport Simulator::settle() {
 StepReport Simulator::integrate(bool to_rest, int steps) {
     const bool is_explicit = options_.solver == SolverKind::ExplicitEuler;
     if (time_step_ == 0.0) {
-        time_step_ = stable_time_step(system_->model, is_explicit ? Integrator::ExplicitEuler
-                                                                  : Integrator::SymplecticEuler);
+        time_step_ = stable_time_step(
+            system_->model, is_explicit ? Integrator::ExplicitEuler : Integrator::SymplecticEuler);
     }
     StepReport report;
     const MassSpringState good = state_;
@@ -228,8 +230,7 @@ StepReport Simulator::integrate(bool to_rest, int steps) {
 
 void Simulator::fill_motion(StepReport& report) const {
     const int n = face_->node_count();
-    const Points moved =
-        state_.positions.leftCols(n) - face_->skin.mesh.vertices;
+    const Points moved = state_.positions.leftCols(n) - face_->skin.mesh.vertices;
     report.max_displacement_mm = std::sqrt(moved.colwise().squaredNorm().maxCoeff());
     for (const Spring& spring : system_->model.springs) {
         if (spring.a >= n || spring.b >= n ||
@@ -253,7 +254,9 @@ Points scan_positions(const FaceModel& face, const Points& node_positions) {
     return result;
 }
 
-Points Simulator::scan_vertices() const { return scan_positions(*face_, state_.positions); }
+Points Simulator::scan_vertices() const {
+    return scan_positions(*face_, state_.positions);
+}
 
 std::uint64_t Simulator::state_hash() const {
     std::uint64_t hash = 1469598103934665603ULL;
