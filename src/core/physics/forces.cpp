@@ -87,8 +87,7 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
         if (spring.stiffening > 0.0 && natural > 0.0) {
             const double over =
                 std::max(std::abs(distance / natural - 1.0) - kStiffeningStart, 0.0);
-            energy +=
-                spring.stiffness * natural * natural * spring.stiffening * over * over * over / 3.0;
+            energy += k * natural * natural * spring.stiffening * over * over * over / 3.0;
         }
     }
     const Points u = x - model.rest;
