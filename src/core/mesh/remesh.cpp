@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <queue>
+#include <tuple>
 #include <vector>
 
 #include "myoface/base/parallel.h"
@@ -32,15 +34,30 @@ public:
         }
     }
 
+    /// Longest first: then no split makes an edge longer than the one it divides, and it ends.
     void split_long_edges() {
-        for (std::size_t t = 0; t < triangles_.size(); ++t) {  // new ones are looked at too
+        using Entry = std::tuple<double, int, int>;  // length over the wanted one, ends
+        std::priority_queue<Entry> longest;
+        const auto offer = [&](int a, int b) {
+            const double ratio = length(a, b) / wanted(a, b);
+            if (ratio > kSplit) {
+                longest.emplace(ratio, std::min(a, b), std::max(a, b));
+            }
+        };
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
             for (int c = 0; c < 3 && alive(t); ++c) {
-                const int a = triangles_[t][c];
-                const int b = triangles_[t][(c + 1) % 3];
-                if (length(a, b) > kSplit * wanted(a, b)) {
-                    split(a, b);
-                    c = -1;  // this triangle has changed: look again
-                }
+                offer(triangles_[t][c], triangles_[t][(c + 1) % 3]);
+            }
+        }
+        while (!longest.empty()) {
+            const auto [ratio, a, b] = longest.top();
+            longest.pop();
+            if (sharing(a, b).empty()) {
+                continue;  // offered by both its triangles, split already
+            }
+            const int middle = split(a, b);
+            for (const int w : ring(middle)) {
+                offer(middle, w);
             }
         }
     }
@@ -165,7 +182,7 @@ private:
         return -1;
     }
 
-    void split(int a, int b) {
+    int split(int a, int b) {
         const std::vector<int> both = sharing(a, b);
         const int middle = add_vertex(0.5 * (positions_[a] + positions_[b]), both.size() == 1);
         for (const int t : both) {
@@ -179,6 +196,7 @@ private:
             triangles_[t] = with_a;
             add_triangle(with_b);
         }
+        return middle;
     }
 
     std::vector<int> ring(int v) const {
