@@ -4,12 +4,14 @@
 #include "myoface/io/mesh_file.h"
 
 #include "commands.h"
+#include "face_arguments.h"
 
 namespace myoface::cli {
 namespace {
 
 struct Arguments {
-    std::string input, output;
+    FaceArguments in;
+    std::string output;
 };
 
 }  // namespace
@@ -17,11 +19,12 @@ struct Arguments {
 void add_convert(CLI::App& app) {
     auto* command = app.add_subcommand("convert", "Write a mesh in another format");
     auto a = std::make_shared<Arguments>();
-    command->add_option("IN", a->input, "OBJ or PLY file")->required();
-    command->add_option("OUT", a->output, "name that ends in .obj or .ply")->required();
+    a->in.add_to(*command);
+    command->add_option("OUT", a->output, "name that ends in .obj, .ply, .stl or .glb")
+        ->required();
     command->callback([a] {
-        Scan scan = read_mesh(a->input);
-        write_mesh(a->output, scan, scan.mesh.vertices);
+        const OpenedFace face = a->in.open();
+        write_mesh(a->output, *face.scan, face.scan->mesh.vertices);
     });
 }
 

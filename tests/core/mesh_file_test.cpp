@@ -148,7 +148,7 @@ TEST(MeshWriter, RefusesAFolderThatIsNotThereAndLeavesNothing) {
                   write_mesh("/no/such/x.obj", scan, scan.mesh.vertices);
               }).find("cannot be written"),
               std::string::npos);
-    EXPECT_NE(problem_of([&] { write_mesh("x.stl", scan, scan.mesh.vertices); }).find(".obj"),
+    EXPECT_NE(problem_of([&] { write_mesh("x.off", scan, scan.mesh.vertices); }).find(".obj"),
               std::string::npos);
 }
 
@@ -230,27 +230,62 @@ TEST(Axes, MustBeATurn) {
     EXPECT_THROW(axes_from_text("up"), InvalidInput);
 }
 
-TEST(Describe, CountsWhatWasFound) {
-    Scan scan = test::scan_of(test::together(test::sphere(100.0), test::grid(3, 10.0)));
-    const MeshReadReport report = describe(scan, "x.obj");
-    EXPECT_EQ(report.components, 2);
-    EXPECT_EQ(report.boundary_loops, 1);
-    EXPECT_NEAR(report.longest_boundary_mm, 80.0, 1e-9);
-    EXPECT_FALSE(report.inward_winding);
+TEST(Axes, AreSpeltAsTheyAreRead) {
+    for (const char* text : {"+x+y+z", "+x-z+y", "-y+x+z", "+z+x+y"}) {
+        EXPECT_EQ(axes_to_text(axes_from_text(text)), text);
+    }
 }
 
-TEST(Texture, NeverLeadsOutsideTheFolder) {
-    Scan scan;
-    test::TemporaryFolder folder;
-    std::filesystem::create_directories(folder / "in");
-    std::ofstream(folder / "secret.png") << "x";
-    std::ofstream(folder / "in/skin.png") << "x";
-    scan.texture = "../secret.png";
-    EXPECT_FALSE(texture_path(scan, folder / "in/a.obj"));
-    scan.texture = (folder / "secret.png").string();
-    EXPECT_FALSE(texture_path(scan, folder / "in/a.obj"));
-    scan.texture = "skin.png";
-    EXPECT_TRUE(texture_path(scan, folder / "in/a.obj"));
+TEST(Describe, CountsWhatWasFound) {
+    const Scan scan = test::scan_of(test::together(test::sphere(100.0), test::grid(3, 10.0)));
+    const MeshReadReport report = describe(scan);
+    EXPECT_EQ(report.findings.parts.size(), 2U);
+    EXPECT_EQ(report.findings.holes, 1);
+    EXPECT_NEAR(report.longest_hole_mm, 80.0, 1e-9);
+    EXPECT_FALSE(report.findings.inward);
+    EXPECT_EQ(report.findings.turned_triangles, 0);
+    EXPECT_NEAR(report.findings.parts[1].area, 400.0, 1e-9);
+    EXPECT_TRUE(report.findings.parts[1].high.isApprox(Vec3(20, 20, 0)));
+}
+
+TEST(Examine, TurnsInwardFacesAndKeepsTheFilesOwn) {
+    TriangleMesh mesh = test::sphere(100.0);
+    mesh.triangles.row(0).swap(mesh.triangles.row(1));
+    const Scan scan = test::scan_of(mesh);
+    EXPECT_TRUE(scan.findings.inward);
+    for (int t = 0; t < scan.mesh.triangle_count(); ++t) {
+        const Vec3 middle = scan.mesh.corner(t, 0) + scan.mesh.corner(t, 1);
+        EXPECT_GT(middle.dot(double_area_vector(scan.mesh, t)), 0.0);
+    }
+    EXPECT_EQ(scan.faces.vertex[1], mesh.triangles(1, 0));
+}
+
+TEST(Examine, MakesNeighboursAgree) {
+    TriangleMesh mesh = test::sphere(100.0);
+    for (const int t : {3, 40, 41, 300}) {
+        std::swap(mesh.triangles(0, t), mesh.triangles(1, t));
+    }
+    const Scan scan = test::scan_of(mesh);
+    EXPECT_EQ(scan.findings.turned_triangles, 4);
+    EXPECT_FALSE(scan.findings.inward);
+    for (int t = 0; t < scan.mesh.triangle_count(); ++t) {
+        const Vec3 middle = scan.mesh.corner(t, 0) + scan.mesh.corner(t, 1);
+        EXPECT_GT(middle.dot(double_area_vector(scan.mesh, t)), 0.0) << t;
+    }
+}
+
+TEST(Examine, CountsDuplicatesStraysAndFins) {
+    const Scan scan = read_mesh_bytes(
+        "v 0 0 0\nv 300 0 0\nv 0 300 0\nv 0 0 300\nv 9 9 9\nv 300 0 0\nv 0 -300 0\n"
+        "f 1 2 3\nf 2 3 1\nf 1 6 4\nf 1 1 2\nf 1 2 7\n",
+        "odd.obj");
+    EXPECT_EQ(scan.findings.duplicate_triangles, 1);
+    EXPECT_EQ(scan.findings.degenerate_triangles, 1);
+    EXPECT_EQ(scan.findings.unreferenced_vertices, 1);
+    EXPECT_EQ(scan.findings.duplicate_vertices, 1);
+    EXPECT_EQ(scan.findings.non_manifold_edges, 1);
+    EXPECT_EQ(scan.faces.count(), 5);
+    EXPECT_EQ(scan.mesh.vertex_count(), 7);
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ Scan scan_of(const TriangleMesh& mesh) {
         scan.faces.start.push_back(static_cast<int>(scan.faces.vertex.size()));
     }
     triangulate(scan);
+    examine(scan);
     return scan;
 }
 

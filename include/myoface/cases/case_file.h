@@ -27,7 +27,6 @@ struct OpenedFace {
     std::string name;        ///< for the window's title
     std::string scan_name;   ///< file name of the scan
     std::string scan_bytes;  ///< the scan's file, byte for byte
-    std::string texture_bytes;
 };
 
 struct OpenOptions {

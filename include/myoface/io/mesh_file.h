@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "myoface/base/progress.h"
@@ -13,7 +14,7 @@
 
 namespace myoface {
 
-/// What was found in a mesh file and how it was understood.
+/// What was found in a mesh file and how it was understood, in words and millimetres.
 struct MeshReadReport {
     std::string format;
     int vertices = 0;
@@ -21,21 +22,19 @@ struct MeshReadReport {
     int triangles = 0;
     int quads = 0;
     int larger_faces = 0;
-    int duplicate_vertices = 0;  ///< at the place of an earlier one (UV seams)
-    int unreferenced_vertices = 0;
-    int degenerate_triangles = 0;  ///< no area or a repeated corner
-    int components = 0;
-    int boundary_loops = 0;
-    double longest_boundary_mm = 0.0;
-    int non_manifold_edges = 0;
-    bool inward_winding = false;
+    ScanFindings findings;  ///< lengths in the file's unit, see scan.h
+    double longest_hole_mm = 0.0;
     bool has_colours = false;
     bool has_uv = false;
-    std::string texture;
+    std::string texture;  ///< name of the first one
     bool texture_found = false;
     double mm_per_unit = 1.0;
     std::string unit;  ///< m dm cm mm in, or "other"
     bool unit_is_guess = false;
+    bool needs_calibration = false;  ///< no usual unit makes it the size of a face
+    std::string axes;                ///< where the file's x, y and z point, as "+x+y+z"
+    bool axes_are_guess = false;
+    double frame_confidence = 1.0;  ///< of unit and axes, 0 … 1; 1 when they were given
     Vec3 size_mm = Vec3::Zero();
     std::vector<std::string> notes;  ///< sentences for a person
 };
@@ -45,34 +44,40 @@ struct ReadOptions {
     std::optional<Mat3> axes;           ///< file axes taken as ours when absent
 };
 
-/// Reads OBJ or PLY (ASCII, both binary orders), told apart by content.
+/// Reads OBJ, PLY, STL, glTF or GLB, told apart by content, with the materials and textures beside
+/// it. glTF is read by a process of its own, which may use at most 60 s.
 /// @throws IoError with one sentence: file, line or element, what is wrong. Never returns a number
 ///         that is not finite or an index out of range.
+/// @throws Cancelled
 Scan read_mesh(const std::filesystem::path& file, const ReadOptions& options = {},
                const Progress* progress = nullptr);
 
-/// The same from memory; `name` tells the format and stands in messages. Material libraries are not
-/// looked for.
-Scan read_mesh_bytes(const std::string& bytes, const std::string& name,
+/// The same from memory; `name` tells the format and stands in messages. Materials and textures are
+/// not looked for.
+Scan read_mesh_bytes(std::string_view bytes, const std::string& name,
                      const ReadOptions& options = {}, const Progress* progress = nullptr);
 
-/// Counts and findings about a scan; `file` is used to look for the texture beside it.
-MeshReadReport describe(const Scan& scan, const std::filesystem::path& file);
+/// Looks materials and textures up beside the file that a scan came from; what is missing or lies
+/// outside the file's folder stays without.
+void read_companions(const std::filesystem::path& file, Scan& scan);
 
-/// Writes vertices [mm, our axes] in the scan's own unit, axes, vertex order and faces, as OBJ or
-/// PLY by the file's extension (PLY: the scan's own encoding, little-endian if it came from OBJ).
-/// The file appears whole or not at all.
+/// Counts and findings about a scan.
+MeshReadReport describe(const Scan& scan);
+
+/// Writes vertices [mm, our axes] in the scan's own unit, axes, vertex order and faces: OBJ (with
+/// material library and textures beside it), PLY, STL or GLB by the file's extension. PLY and STL
+/// keep the scan's own encoding (little-endian binary if it came from another format). STL and GLB
+/// know triangles only; GLB repeats vertices on texture seams after the others. Files appear whole
+/// or not at all; a texture that is there already is not touched.
 /// @throws IoError  InvalidInput for another extension or a wrong number of vertices
 void write_mesh(const std::filesystem::path& file, const Scan& scan, const Points& vertices);
 
-/// Full path of the scan's texture beside its file, if it exists and lies inside that folder.
-std::optional<std::filesystem::path> texture_path(const Scan& scan,
-                                                  const std::filesystem::path& file);
+/// The bytes of write_mesh's main file. @throws InvalidInput
+std::string mesh_bytes(const std::string& name, const Scan& scan, const Points& vertices);
 
-/// The scan's texture if it has one that can be read; otherwise null and perhaps a sentence in
-/// `note`.
-std::shared_ptr<const Image> load_texture(const Scan& scan, const std::filesystem::path& file,
-                                          std::string* note = nullptr);
+/// The scan's first texture if it has one that can be read; otherwise null and perhaps a sentence
+/// in `note`.
+std::shared_ptr<const Image> load_texture(const Scan& scan, std::string* note = nullptr);
 
 /// Millimetres of a unit's name (m dm cm mm in) or of a plain number of millimetres.
 /// @throws InvalidInput
@@ -84,5 +89,7 @@ std::string unit_name(double mm_per_unit);
 /// (nothing to do) or "+x-z+y" (file's y is our -z, its z our +y).
 /// @throws InvalidInput unless it is a rotation
 Mat3 axes_from_text(const std::string& text);
+/// The way back; the nearest such text for a turn that is no quarter turn.
+std::string axes_to_text(const Mat3& axes);
 
 }  // namespace myoface

@@ -74,6 +74,41 @@ std::map<std::string, double> settings(const json& manifest, const char* key, do
     return result;
 }
 
+/// Looks and pictures of a scan's materials, which stand in files of their own beside a scan.
+json materials_to_json(const Scan& scan) {
+    json list = json::array();
+    for (const Material& material : scan.materials) {
+        list.push_back({{"colour", material.colour}, {"texture", material.texture}});
+    }
+    return list;
+}
+
+std::string texture_part(std::size_t number) {
+    return "texture-" + std::to_string(number);
+}
+
+void restore_materials(const json& manifest, zip_t* archive, const std::string& path, Scan& scan) {
+    try {
+        const json textures = manifest.value("textures", json::array());
+        scan.textures.resize(std::min<std::size_t>(textures.size(), 64));
+        for (std::size_t t = 0; t < scan.textures.size(); ++t) {
+            scan.textures[t].name = textures[t].get<std::string>();
+            scan.textures[t].bytes = read_part(archive, texture_part(t).c_str(), path, false);
+        }
+        const json materials = manifest.value("materials", json::array());
+        for (std::size_t m = 0; m < std::min(materials.size(), scan.materials.size()); ++m) {
+            scan.materials[m].colour = materials[m].at("colour").get<std::array<float, 4>>();
+            scan.materials[m].texture = materials[m].at("texture").get<int>();
+        }
+    } catch (const json::exception&) {
+        throw IoError(path + ": its materials are damaged.");
+    }
+    for (Material& material : scan.materials) {
+        const int count = static_cast<int>(scan.textures.size());
+        material.texture = material.texture < count ? std::max(material.texture, -1) : -1;
+    }
+}
+
 OpenedFace open_case(const std::string& path, const OpenOptions& options,
                      const Progress* progress) {
     int code = 0;
@@ -93,14 +128,11 @@ OpenedFace open_case(const std::string& path, const OpenOptions& options,
     OpenedFace face;
     face.name = fs::path(path).filename().string();
     face.scan_bytes = read_part(archive.handle, "scan", path, true);
-    face.texture_bytes = read_part(archive.handle, "texture", path, false);
     face.rates = settings(manifest, "contractions", kLeastContraction, kMostContraction, path);
     face.strengths = settings(manifest, "strengths", 0.0, 1.0, path);
     ReadOptions read;
-    std::string texture;
     try {
         face.scan_name = manifest.at("scan").get<std::string>();
-        texture = manifest.value("texture", std::string());
         read.mm_per_unit = manifest.at("mm_per_unit").get<double>();
         Mat3 axes;
         for (int i = 0; i < 9; ++i) {
@@ -120,11 +152,8 @@ OpenedFace open_case(const std::string& path, const OpenOptions& options,
     }
     auto scan =
         std::make_shared<Scan>(read_mesh_bytes(face.scan_bytes, face.scan_name, read, progress));
-    scan->texture = texture;
-    if (!face.texture_bytes.empty()) {
-        face.texture =
-            std::make_shared<Image>(read_image_bytes(face.texture_bytes, path + " texture"));
-    }
+    restore_materials(manifest, archive.handle, path, *scan);
+    face.texture = load_texture(*scan);
     if (manifest.contains("landmarks")) {
         face.landmarks = in_model_frame(
             landmarks_from_json(json{{"landmarks", manifest["landmarks"]}}.dump(), path),
@@ -139,7 +168,7 @@ OpenedFace open_case(const std::string& path, const OpenOptions& options,
     if (!face.shape.allFinite()) {
         throw IoError(path + ": the shape of the skin is damaged.");
     }
-    face.report = describe(*scan, path);
+    face.report = describe(*scan);
     face.scan = std::move(scan);
     return face;
 }
@@ -160,7 +189,7 @@ OpenedFace open_generic() {
     OpenedFace face;
     face.name = face.scan_name = "generic.ply";
     face.landmarks = std::move(generic.landmarks);
-    face.report = describe(generic.scan, "generic.ply");
+    face.report = describe(generic.scan);
     face.scan = std::make_shared<const Scan>(std::move(generic.scan));
     return face;
 }
@@ -182,7 +211,6 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     }
     OpenedFace face;
     face.name = face.scan_name = file.filename().string();
-    face.scan_bytes = read_file(file);
     const std::optional<fs::path> landmark_path =
         options.landmarks ? options.landmarks : landmarks_beside(file);
     std::optional<LandmarkFile> landmarks = options.placed;
@@ -195,19 +223,23 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
         read = {frame.mm_per_unit, frame.axes};
     }
     auto scan = std::make_shared<Scan>(read_mesh(file, read, progress));
-    face.report = describe(*scan, file);
+    if (scan->format == FileFormat::Gltf) {  // its parts lie in several files: kept as one
+        face.scan_name = file.stem().string() + ".glb";
+        face.scan_bytes = mesh_bytes(face.scan_name, *scan, scan->mesh.vertices);
+    } else {
+        face.scan_bytes = read_file(file);
+    }
+    face.report = describe(*scan);
     face.report.unit_is_guess = !landmarks && !options.mm_per_unit;
+    face.report.axes_are_guess = !landmarks && !options.axes;
     if (face.report.unit_is_guess && face.report.unit == "other") {
         face.report.notes.emplace_back(
             "The unit is not a usual one: give it with --unit, or landmarks that carry one.");
     }
     std::string note;
-    face.texture = load_texture(*scan, file, &note);
+    face.texture = load_texture(*scan, &note);
     if (!note.empty()) {
         face.report.notes.push_back(note);
-    }
-    if (face.texture) {
-        face.texture_bytes = read_file(*texture_path(*scan, file));
     }
     if (landmarks) {
         face.landmarks = in_model_frame(*landmarks, scan->frame);
@@ -268,7 +300,11 @@ void write_case(const std::filesystem::path& file, const OpenedFace& opened,
     manifest["schema"] = kSchema;
     manifest["note"] = "A planning and communication aid, not a medical device.";
     manifest["scan"] = opened.scan_name;
-    manifest["texture"] = opened.scan->texture;
+    manifest["materials"] = materials_to_json(*opened.scan);
+    manifest["textures"] = json::array();
+    for (const Texture& texture : opened.scan->textures) {
+        manifest["textures"].push_back(texture.name);
+    }
     manifest["mm_per_unit"] = opened.scan->frame.mm_per_unit;
     json axes = json::array();
     for (int i = 0; i < 9; ++i) {
@@ -286,16 +322,11 @@ void write_case(const std::filesystem::path& file, const OpenedFace& opened,
     manifest["strengths"] = state.strengths;
     const std::string shape(reinterpret_cast<const char*>(state.shape.data()),
                             static_cast<std::size_t>(state.shape.size()) * sizeof(double));
-    std::string scan_bytes = opened.scan_bytes;
-    if (scan_bytes.empty()) {  // generated: it has no file yet
-        const fs::path part =
-            fs::temp_directory_path() /
-            ("myoface-" + std::to_string(reinterpret_cast<std::uintptr_t>(&opened)) + ".ply");
-        write_mesh(part, *opened.scan, opened.scan->mesh.vertices);
-        scan_bytes = read_file(part);
-        fs::remove(part);
-    }
-    const std::string text = manifest.dump(1);
+    const std::string made = opened.scan_bytes.empty()  // generated: it has no file
+                                 ? mesh_bytes("scan.ply", *opened.scan, opened.scan->mesh.vertices)
+                                 : std::string();
+    const std::string& scan_bytes = opened.scan_bytes.empty() ? made : opened.scan_bytes;
+    const std::string text = manifest.dump(1, ' ', false, json::error_handler_t::replace);
     const fs::path part = file.string() + ".part";
     int code = 0;
     Archive archive{zip_open(part.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code)};
@@ -316,8 +347,10 @@ void write_case(const std::filesystem::path& file, const OpenedFace& opened,
     };
     add("manifest.json", text);
     add("scan", scan_bytes);
-    if (!opened.texture_bytes.empty()) {
-        add("texture", opened.texture_bytes);
+    for (std::size_t t = 0; t < opened.scan->textures.size(); ++t) {
+        if (!opened.scan->textures[t].bytes.empty()) {
+            add(texture_part(t).c_str(), opened.scan->textures[t].bytes);
+        }
     }
     if (!shape.empty()) {
         add("shape.f64", shape);

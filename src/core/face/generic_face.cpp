@@ -676,6 +676,8 @@ GenericFace make_generic_face(const GenericFaceOptions& options, const Progress*
         face.landmarks = wanted;
     }
     scan.file_vertices = scan.mesh.vertices;
+    scan.byte_colours = true;  // as files of it hold them
+    examine(scan);
     if (progress != nullptr) {
         progress->report("Building the face", 1.0);
     }

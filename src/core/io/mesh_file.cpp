@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <unistd.h>
 
 #include "myoface/base/error.h"
+#include "myoface/io/mapped_file.h"
 #include "myoface/io/text_file.h"
-#include "myoface/mesh/adjacency.h"
-#include "myoface/mesh/normals.h"
-#include "myoface/mesh/weld.h"
 
 #include "readers.h"
+#include "writers.h"
 
 namespace myoface {
 namespace {
@@ -50,49 +51,65 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// The colour texture that the first material of a library with one names.
-std::string texture_of(const std::filesystem::path& library) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(library, error) ||
-        std::filesystem::file_size(library, error) > 16'000'000) {
-        return {};
-    }
-    const std::string text = read_file(library);
-    std::size_t at = 0;
-    while (at < text.size()) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        std::string line = text.substr(at, end - at);
-        at = end + 1;
-        const std::size_t begin = line.find_first_not_of(" \t");
-        if (begin == std::string::npos || lower(line.substr(begin, 7)) != "map_kd ") {
-            continue;
-        }
-        line = line.substr(begin + 7);
-        while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) {
-            line.pop_back();
-        }
-        // Options such as "-s 1 1 1" stand before the name; the name is then the last word.
-        if (!line.empty() && line.front() == '-') {
-            line = line.substr(line.find_last_of(" \t") + 1);
-        }
-        std::replace(line.begin(), line.end(), '\\', '/');
-        return line;
-    }
-    return {};
-}
-
-/// A file named by another file: inside the same folder or below it, nowhere else.
-std::optional<std::filesystem::path> inside(const std::filesystem::path& folder,
-                                            const std::string& name) {
-    const std::filesystem::path relative = std::filesystem::path(name).lexically_normal();
-    if (name.empty() || relative.is_absolute() || *relative.begin() == "..") {
-        return std::nullopt;
-    }
-    return folder / relative;
-}
-
 bool looks_like_ply(std::string_view content) {
-    return content.substr(0, 4) == "ply\n" || content.substr(0, 5) == "ply\r\n";
+    return content.substr(0, 4) == "ply\n" || content.substr(0, 4) == "ply\r";
+}
+
+bool looks_like_gltf(std::string_view content, const std::string& extension) {
+    return content.substr(0, 4) == "glTF" || extension == ".gltf" || extension == ".glb";
+}
+
+bool looks_like_stl(std::string_view content, const std::string& extension) {
+    const std::string_view head = content.substr(0, 1024);
+    return extension == ".stl" ||
+           (head.substr(0, 6) == "solid " && head.find("facet") != std::string_view::npos);
+}
+
+/// A folder for one file that another process is to read.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "myoface-XXXXXX").string();
+        if (::mkdtemp(pattern.data()) == nullptr) {
+            throw IoError("No temporary folder can be made in " +
+                          std::filesystem::temp_directory_path().string() + ".");
+        }
+        path = pattern;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::filesystem::path path;
+};
+
+/// What all formats have in common once the file's own numbers are there.
+void finish(Scan& scan, const std::string& name, const ReadOptions& options,
+            const Progress* progress) {
+    if (scan.mesh.vertices.cwiseAbs().maxCoeff() > 1e9) {
+        throw IoError(name + ": has a coordinate beyond 1e9, this cannot be a face.");
+    }
+    if (!(diagonal(scan.mesh.vertices) > 1e-9)) {
+        throw IoError(name + ": all vertices lie in one place, this is not a face.");
+    }
+    const auto report = [&](double share) {
+        if (progress != nullptr) {
+            progress->report("Checking", share);
+        }
+    };
+    report(0.0);
+    scan.file_vertices = scan.mesh.vertices;
+    triangulate(scan);
+    report(0.3);
+    FileFrame frame;
+    frame.mm_per_unit = options.mm_per_unit.value_or(guess_unit(scan.mesh.vertices));
+    frame.axes = options.axes.value_or(Mat3::Identity());
+    set_frame(scan, frame);
+    examine(scan);
+    report(1.0);
 }
 
 }  // namespace
@@ -141,8 +158,19 @@ Mat3 axes_from_text(const std::string& text) {
     return axes;
 }
 
-Scan read_mesh_bytes(const std::string& content, const std::string& name,
-                     const ReadOptions& options, const Progress* progress) {
+std::string axes_to_text(const Mat3& axes) {
+    std::string text;
+    for (int column = 0; column < 3; ++column) {
+        Eigen::Index row = 0;
+        axes.col(column).cwiseAbs().maxCoeff(&row);
+        text += axes(row, column) < 0.0 ? '-' : '+';
+        text += static_cast<char>('x' + row);
+    }
+    return text;
+}
+
+Scan read_mesh_bytes(std::string_view content, const std::string& name, const ReadOptions& options,
+                     const Progress* progress) {
     if (content.empty()) {
         throw IoError(name + ": is empty.");
     }
@@ -152,71 +180,76 @@ Scan read_mesh_bytes(const std::string& content, const std::string& name,
         read_ply(content, name, scan, progress);
     } else if (extension == ".ply") {
         throw IoError(name + ": does not begin with 'ply', this is not a PLY file.");
-    } else if (extension == ".obj" || content.substr(0, 512).find('\0') == std::string::npos) {
+    } else if (looks_like_gltf(content, extension)) {
+        const TemporaryFolder folder;
+        const auto file =
+            folder.path / (content.substr(0, 4) == "glTF" ? "scan.glb" : "scan.gltf");
+        write_file(file, content);
+        try {
+            read_gltf(file, scan, progress);
+        } catch (const IoError& error) {  // in the words of the file that was asked for
+            const std::string what = error.what();
+            const std::string there = file.string();
+            throw IoError(what.rfind(there, 0) == 0 ? name + what.substr(there.size()) : what);
+        }
+    } else if (looks_like_stl(content, extension)) {
+        read_stl(content, name, scan, progress);
+    } else if (extension == ".obj" ||
+               content.substr(0, 512).find('\0') == std::string_view::npos) {
         scan.format = FileFormat::Obj;
         read_obj(content, name, scan, progress);
     } else {
-        throw IoError(name + ": is neither OBJ nor PLY.");
+        throw IoError(name + ": is none of OBJ, PLY, STL, glTF and GLB.");
     }
-    if (scan.mesh.vertices.cwiseAbs().maxCoeff() > 1e9) {
-        throw IoError(name + ": has a coordinate beyond 1e9, this cannot be a face.");
-    }
-    if (!(diagonal(scan.mesh.vertices) > 1e-9)) {
-        throw IoError(name + ": all vertices lie in one place, this is not a face.");
-    }
-    scan.file_vertices = scan.mesh.vertices;
-    triangulate(scan);
-    FileFrame frame;
-    frame.mm_per_unit = options.mm_per_unit.value_or(guess_unit(scan.mesh.vertices));
-    frame.axes = options.axes.value_or(Mat3::Identity());
-    set_frame(scan, frame);
+    finish(scan, name, options, progress);
     return scan;
 }
 
 Scan read_mesh(const std::filesystem::path& file, const ReadOptions& options,
                const Progress* progress) {
-    Scan scan = read_mesh_bytes(read_file(file), file.string(), options, progress);
-    for (const std::string& library : scan.material_libraries) {
-        if (!scan.texture.empty()) {
-            break;
-        }
-        if (const auto path = inside(file.parent_path(), library)) {
-            scan.texture = texture_of(*path);
-        }
+    const MappedFile mapped(file);
+    Scan scan;
+    if (looks_like_gltf(mapped.bytes(), lower(file.extension().string())) &&
+        !mapped.bytes().empty()) {
+        read_gltf(file, scan, progress);
+        finish(scan, file.string(), options, progress);
+    } else {
+        scan = read_mesh_bytes(mapped.bytes(), file.string(), options, progress);
     }
+    read_companions(file, scan);
     return scan;
 }
 
-std::optional<std::filesystem::path> texture_path(const Scan& scan,
-                                                  const std::filesystem::path& file) {
-    const auto path = inside(file.parent_path(), scan.texture);
-    std::error_code error;
-    if (path && std::filesystem::is_regular_file(*path, error)) {
-        return path;
-    }
-    return std::nullopt;
+void read_companions(const std::filesystem::path& file, Scan& scan) {
+    read_materials(file.parent_path(), scan);
 }
 
-std::shared_ptr<const Image> load_texture(const Scan& scan, const std::filesystem::path& file,
-                                          std::string* note) {
-    const auto path = texture_path(scan, file);
-    if (!path || scan.uv.cols() == 0) {
-        return nullptr;
-    }
-    try {
-        return std::make_shared<Image>(read_image(*path));
-    } catch (const Error& error) {
-        if (note != nullptr) {
-            *note = error.what();
+std::shared_ptr<const Image> load_texture(const Scan& scan, std::string* note) {
+    for (const Texture& texture : scan.textures) {
+        if (texture.bytes.empty() || scan.uv.cols() == 0) {
+            continue;
         }
-        return nullptr;
+        try {
+            return std::make_shared<Image>(read_image_bytes(texture.bytes, texture.name));
+        } catch (const Error& error) {
+            if (note != nullptr) {
+                *note = error.what();
+            }
+        }
     }
+    return nullptr;
 }
 
-MeshReadReport describe(const Scan& scan, const std::filesystem::path& file) {
+MeshReadReport describe(const Scan& scan) {
     MeshReadReport report;
-    static constexpr std::array<const char*, 4> kFormats{
-        "OBJ", "PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
+    static constexpr std::array<const char*, 8> kFormats{"OBJ",
+                                                         "PLY ascii",
+                                                         "PLY binary little-endian",
+                                                         "PLY binary big-endian",
+                                                         "STL ascii",
+                                                         "STL binary",
+                                                         "glTF",
+                                                         "GLB"};
     report.format = kFormats[static_cast<std::size_t>(scan.format)];
     report.vertices = scan.mesh.vertex_count();
     report.faces = scan.faces.count();
@@ -225,75 +258,140 @@ MeshReadReport describe(const Scan& scan, const std::filesystem::path& file) {
         report.quads += scan.faces.size(f) == 4 ? 1 : 0;
         report.larger_faces += scan.faces.size(f) > 4 ? 1 : 0;
     }
-    const WeldedMesh welded = weld(scan.mesh);
-    report.degenerate_triangles = scan.mesh.triangle_count() - welded.mesh.triangle_count();
-    report.unreferenced_vertices =
-        static_cast<int>(std::count(welded.of_vertex.begin(), welded.of_vertex.end(), -1));
-    report.duplicate_vertices =
-        report.vertices - report.unreferenced_vertices - welded.mesh.vertex_count();
+    const ScanFindings& found = report.findings = scan.findings;
+    report.longest_hole_mm = found.longest_hole * scan.frame.mm_per_unit;
     report.has_colours = scan.colours.cols() > 0;
     report.has_uv = !scan.faces.uv.empty();
-    report.texture = scan.texture;
-    report.texture_found = texture_path(scan, file).has_value();
+    report.texture = scan.textures.empty() ? "" : scan.textures[0].name;
+    report.texture_found = !scan.textures.empty() && !scan.textures[0].bytes.empty();
     report.mm_per_unit = scan.frame.mm_per_unit;
     report.unit = unit_name(scan.frame.mm_per_unit);
+    report.axes = axes_to_text(scan.frame.axes);
     report.size_mm =
         scan.mesh.vertices.rowwise().maxCoeff() - scan.mesh.vertices.rowwise().minCoeff();
-    if (welded.mesh.triangle_count() == 0) {
+
+    const auto note = [&](int count, const std::string& text) {
+        if (count > 0) {
+            report.notes.push_back(std::to_string(count) + " " + text);
+        }
+    };
+    if (found.parts.empty()) {
         report.notes.emplace_back("No triangle has any area.");
         return report;
     }
-    const Adjacency adjacency(welded.mesh);
-    report.components = connected_components(welded.mesh).count;
-    const auto loops = boundary_loops(welded.mesh, adjacency);
-    report.boundary_loops = static_cast<int>(loops.size());
-    if (!loops.empty()) {
-        for (std::size_t i = 0; i < loops[0].size(); ++i) {
-            report.longest_boundary_mm +=
-                (welded.mesh.vertices.col(loops[0][i]) -
-                 welded.mesh.vertices.col(loops[0][(i + 1) % loops[0].size()]))
-                    .norm();
+    note(found.duplicate_vertices,
+         "vertices repeat the place of another one (texture seams); they are joined for computing "
+         "and kept in the file.");
+    note(found.unreferenced_vertices,
+         "vertices belong to no triangle with area; they are kept in the file.");
+    note(found.degenerate_triangles,
+         "triangles without area take no part in computing; they are kept in the file.");
+    note(found.duplicate_triangles,
+         "triangles repeat another one and take no part in computing; they are kept in the file.");
+    note(found.turned_triangles,
+         "triangles were wound against their neighbours and are turned over for computing.");
+    if (found.inward) {
+        report.notes.emplace_back("The faces look inwards; they are turned over for computing.");
+    }
+    note(found.non_manifold_edges, "edges are shared by more than two triangles.");
+    if (found.parts.size() > 1) {
+        note(static_cast<int>(found.parts.size()) - 1,
+             "loose parts lie beside the largest one; the face is fitted to the part that holds "
+             "it, the others are shown and kept.");
+    }
+    note(found.other_statements,
+         "entries that are neither vertices nor faces (points, lines, extra elements) are not "
+         "kept.");
+    for (const Texture& texture : scan.textures) {
+        if (texture.bytes.empty()) {
+            report.notes.push_back("The texture " + texture.name + " is not beside the file.");
         }
-    }
-    for (const MeshEdge& edge : adjacency.edges()) {
-        report.non_manifold_edges += edge.triangle_count > 2 ? 1 : 0;
-    }
-    TriangleMesh centred = welded.mesh;
-    centred.vertices.colwise() -= Vec3(welded.mesh.vertices.rowwise().mean());
-    report.inward_winding = signed_volume(centred) < 0.0;
-    if (report.duplicate_vertices > 0) {
-        report.notes.push_back(std::to_string(report.duplicate_vertices) +
-                               " vertices repeat the place of another one (texture seams); they "
-                               "are joined for computing and kept in the file.");
-    }
-    if (report.degenerate_triangles > 0) {
-        report.notes.push_back(std::to_string(report.degenerate_triangles) +
-                               " triangles without area take no part in computing.");
-    }
-    if (report.inward_winding) {
-        report.notes.emplace_back("The faces look inwards.");
-    }
-    if (!report.texture.empty() && !report.texture_found) {
-        report.notes.push_back("The texture " + report.texture + " is not beside the file.");
     }
     return report;
 }
 
-void write_mesh(const std::filesystem::path& file, const Scan& scan, const Points& vertices) {
+namespace {
+
+Points in_file(const Scan& scan, const Points& vertices) {
     if (vertices.cols() != scan.mesh.vertices.cols()) {
         throw InvalidInput("The number of vertices to write differs from the scan's.");
     }
     const Mat3 back = scan.frame.axes.transpose() / scan.frame.mm_per_unit;
     // What did not move keeps the file's own numbers, to the last digit.
-    const Points in_file = scan.file_vertices + back * (vertices - scan.mesh.vertices);
-    const std::string extension = lower(file.extension().string());
+    return scan.file_vertices + back * (vertices - scan.mesh.vertices);
+}
+
+std::string main_file(const std::string& name, const Scan& scan, const Points& vertices,
+                      const std::string& library) {
+    const std::string extension = lower(std::filesystem::path(name).extension().string());
+    const Points points = in_file(scan, vertices);
     if (extension == ".obj") {
-        write_file(file, obj_text(scan, in_file));
-    } else if (extension == ".ply") {
-        write_file(file, ply_bytes(scan, in_file));
-    } else {
-        throw InvalidInput(file.string() + ": write to a name that ends in .obj or .ply.");
+        return obj_text(scan, points, library);
     }
+    if (extension == ".ply") {
+        return ply_bytes(scan, points);
+    }
+    if (extension == ".stl") {
+        return stl_bytes(scan, points);
+    }
+    if (extension == ".glb") {
+        return glb_bytes(scan, points);
+    }
+    throw InvalidInput(name + ": write to a name that ends in .obj, .ply, .stl or .glb.");
+}
+
+/// A texture's name beside `file`: its own, or one with the file's name where another picture of
+/// that name is there.
+OutputFile place_texture(const std::filesystem::path& file, const Texture& texture) {
+    std::string name = texture.name;
+    std::replace(name.begin(), name.end(), '\\', '/');
+    name = name.substr(name.find_last_of('/') + 1);
+    OutputFile out{file.parent_path() / name, texture.bytes};
+    std::error_code error;
+    if (std::filesystem::exists(out.file, error)) {
+        const MappedFile there(out.file);
+        if (there.bytes() == texture.bytes) {
+            out.bytes.clear();  // nothing to do
+        } else {
+            out.file = file.parent_path() / (file.stem().string() + "_" + name);
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string mesh_bytes(const std::string& name, const Scan& scan, const Points& vertices) {
+    return main_file(name, scan, vertices, {});
+}
+
+void write_mesh(const std::filesystem::path& file, const Scan& scan, const Points& vertices) {
+    const std::string extension = lower(file.extension().string());
+    const bool library =
+        extension == ".obj" &&
+        std::any_of(scan.materials.begin(), scan.materials.end(), [](const Material& m) {
+            return m.texture >= 0 || m.colour != Material().colour;
+        });
+    const std::string library_name = library ? file.stem().string() + ".mtl" : std::string();
+    const std::string content = main_file(file.string(), scan, vertices, library_name);
+    if (library || extension == ".ply") {
+        std::vector<std::string> names;
+        for (const Texture& texture : scan.textures) {
+            names.push_back(texture.name);
+            if (texture.bytes.empty()) {
+                continue;
+            }
+            const OutputFile out = place_texture(file, texture);
+            names.back() = out.file.filename().string();
+            if (!out.bytes.empty()) {
+                write_file(out.file, out.bytes);
+            }
+        }
+        if (library) {
+            write_file(file.parent_path() / library_name, mtl_text(scan, names));
+        }
+    }
+    write_file(file, content);
 }
 
 }  // namespace myoface

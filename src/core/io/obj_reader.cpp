@@ -1,267 +1,548 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
 
 #include "myoface/base/error.h"
+#include "myoface/base/parallel.h"
 
+#include "number_text.h"
 #include "readers.h"
 
 namespace myoface {
 namespace {
 
-bool is_space(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
+constexpr std::size_t kPieceBytes = std::size_t{1} << 20;
+
+const char* skip_blanks(const char* at, const char* end) {
+    while (at != end && is_blank(*at)) {
+        ++at;
+    }
+    return at;
 }
 
-/// Walks over the words of one logical line.
-class Words {
-public:
-    explicit Words(std::string_view line) : rest_(line) {}
-
-    std::string_view next() {
-        skip();
-        std::size_t end = 0;
-        while (end < rest_.size() && !is_space(rest_[end])) {
-            ++end;
-        }
-        const std::string_view word = rest_.substr(0, end);
-        rest_.remove_prefix(end);
-        return word;
-    }
-
-    std::string_view rest() {
-        skip();
-        std::string_view text = rest_;
-        while (!text.empty() && is_space(text.back())) {
-            text.remove_suffix(1);
-        }
-        return text;
-    }
-
-private:
-    void skip() {
-        while (!rest_.empty() && is_space(rest_.front())) {
-            rest_.remove_prefix(1);
-        }
-    }
-    std::string_view rest_;
+/// What one stretch of the file holds. Indices that count backwards are relative to its beginning
+/// until the stretches before it are known.
+struct Piece {
+    std::string_view text;
+    std::vector<double> positions;
+    std::vector<float> colours;  ///< 4 a vertex, missing ones -1; shorter where the tail has none
+    std::vector<float> uv;
+    std::vector<int> face_sizes;
+    std::vector<int> corner_vertex, corner_uv;
+    std::vector<std::size_t> backward_vertex, backward_uv;  ///< corners to be shifted
+    bool any_uv = false;
+    std::vector<ObjStatement> statements;
+    std::vector<std::string> libraries;
+    int others = 0;
+    int lines = 0;  ///< read so far
+    std::string problem;
 };
 
-class ObjParser {
+struct Problem {
+    std::string what;
+};
+
+class PieceParser {
 public:
-    ObjParser(std::string_view text, const std::string& name, Scan& scan, const Progress* progress)
-        : text_(text), name_(name), scan_(scan), progress_(progress) {}
+    explicit PieceParser(Piece& piece) : piece_(piece) {}
 
     void parse() {
-        std::size_t at = 0;
-        if (text_.substr(0, 3) == "\xEF\xBB\xBF") {
-            at = 3;  // byte order mark
-        }
-        while (at < text_.size()) {
-            ++line_number_;
-            std::string_view line = take_line(at);
-            if (!line.empty() && line.back() == '\\') {
-                joined_.clear();
-                while (!line.empty() && line.back() == '\\' && at < text_.size()) {
-                    joined_.append(line.substr(0, line.size() - 1)).push_back(' ');
-                    line = take_line(at);
-                    ++line_number_;
+        try {
+            const char* at = piece_.text.data();
+            const char* const end = at + piece_.text.size();
+            while (at != end) {
+                const auto* newline = static_cast<const char*>(
+                    std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
+                const char* stop = newline != nullptr ? newline : end;
+                ++piece_.lines;
+                if (continues(at, stop)) {
+                    newline = join(at, end);
+                    statement(joined_.data(), joined_.data() + joined_.size());
+                } else {
+                    statement(at, stop);
                 }
-                joined_.append(line);
-                statement(joined_);
-            } else {
-                statement(line);
+                at = newline != nullptr ? newline + 1 : end;
             }
-            if (progress_ != nullptr && line_number_ % 65536 == 0) {
-                progress_->report("Reading",
-                                  static_cast<double>(at) / static_cast<double>(text_.size()));
-            }
+        } catch (const Problem& problem) {
+            piece_.problem = problem.what;
         }
-        finish();
+    }
+
+    static bool continues(const char* at, const char* stop) {
+        while (stop != at && stop[-1] == '\r') {
+            --stop;
+        }
+        return stop != at && stop[-1] == '\\';
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what) const {
-        throw IoError(name_ + " line " + std::to_string(line_number_) + ": " + what);
+    [[noreturn]] static void fail(const std::string& what) { throw Problem{what}; }
+
+    /// Puts lines that end in a backslash together. @return the last newline, or null at the end
+    const char* join(const char* at, const char* end) {
+        joined_.clear();
+        for (;;) {
+            const auto* newline = static_cast<const char*>(
+                std::memchr(at, '\n', static_cast<std::size_t>(end - at)));
+            const char* stop = newline != nullptr ? newline : end;
+            const bool more = continues(at, stop);
+            if (more) {
+                while (stop[-1] == '\r') {
+                    --stop;
+                }
+                joined_.append(at, stop - 1).push_back(' ');
+            } else {
+                joined_.append(at, stop);
+            }
+            if (!more || newline == nullptr) {
+                return newline;
+            }
+            at = newline + 1;
+            ++piece_.lines;
+        }
     }
 
-    std::string_view take_line(std::size_t& at) const {
-        const void* found = std::memchr(text_.data() + at, '\n', text_.size() - at);
-        const std::size_t end =
-            found != nullptr
-                ? static_cast<std::size_t>(static_cast<const char*>(found) - text_.data())
-                : text_.size();
-        std::string_view line = text_.substr(at, end - at);
-        at = end + 1;
-        if (!line.empty() && line.back() == '\r') {
+    void statement(const char* at, const char* end) {
+        at = skip_blanks(at, end);
+        if (at == end || *at == '#') {
+            return;
+        }
+        const std::ptrdiff_t left = end - at;
+        if (left >= 2 && is_blank(at[1])) {
+            switch (*at) {
+                case 'v':
+                    vertex(at + 1, end);
+                    return;
+                case 'f':
+                    face(at + 1, end);
+                    return;
+                case 'g':
+                case 'o':
+                case 's':
+                    keep(at, end);
+                    return;
+                default:
+                    break;
+            }
+        } else if (left >= 3 && at[0] == 'v' && is_blank(at[2])) {
+            if (at[1] == 't') {
+                texture_coordinate(at + 2, end);
+            }
+            return;  // normals are computed anew
+        }
+        rare(at, end);
+    }
+
+    void rare(const char* at, const char* end) {
+        std::string_view line(at, static_cast<std::size_t>(end - at));
+        while (!line.empty() && is_blank(line.back())) {
             line.remove_suffix(1);
         }
-        return line;
+        const std::string_view key = line.substr(0, line.find_first_of(" \t"));
+        if (key == "mtllib") {
+            const std::size_t name = line.find_first_not_of(" \t", key.size());
+            if (name != std::string_view::npos) {
+                piece_.libraries.emplace_back(line.substr(name));
+            }
+        } else if (key == "usemtl") {
+            keep(at, end);
+        } else if (key == "f" || key == "v") {
+            fail(key == "f" ? "a face needs at least three corners."
+                            : "a vertex needs three coordinates.");
+        } else if (line.find('\0') != std::string_view::npos) {
+            fail("holds binary data, this is not an OBJ file.");
+        } else if (key != "g" && key != "o" && key != "s") {
+            ++piece_.others;
+        }
     }
 
-    double number(std::string_view word, const char* what) const {
-        if (!word.empty() && word.front() == '+') {
-            word.remove_prefix(1);
+    void keep(const char* at, const char* end) {
+        while (end != at && is_blank(end[-1])) {
+            --end;
         }
+        piece_.statements.push_back(
+            {static_cast<int>(piece_.face_sizes.size()), std::string(at, end)});
+    }
+
+    static double number(const char*& at, const char* end, const char* what) {
         double value = 0.0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (word.empty() || error != std::errc() || end != word.data() + word.size()) {
-            fail(std::string(what) + " '" + std::string(word.substr(0, 40)) + "' is not a number.");
+        const char* const stop = read_number(at, end, value);
+        if (stop == nullptr || (stop != end && !is_blank(*stop))) {
+            fail(std::string(what) + " " + quoted(at, end) + " is not a number.");
         }
         if (!std::isfinite(value)) {
             fail(std::string(what) + " is not a finite number.");
         }
+        at = skip_blanks(stop, end);
         return value;
     }
 
-    void statement(std::string_view line) {
-        Words words(line);
-        const std::string_view key = words.next();
-        if (key.empty() || key.front() == '#') {
-            return;
-        }
-        if (key == "v") {
-            vertex(words);
-        } else if (key == "vt") {
-            const auto u = static_cast<float>(number(words.next(), "texture coordinate"));
-            const std::string_view second = words.next();
-            const auto v =
-                second.empty() ? 0.0F : static_cast<float>(number(second, "texture coordinate"));
-            uv_.push_back({u, v});
-        } else if (key == "f") {
-            face(words);
-        } else if (key == "mtllib") {
-            scan_.material_libraries.emplace_back(words.rest());
-        } else if (key == "usemtl" || key == "g" || key == "o" || key == "s") {
-            scan_.statements.push_back({scan_.faces.count(), std::string(line)});
-        } else if (line.find('\0') != std::string_view::npos) {
-            fail("holds binary data, this is not an OBJ file.");
-        }  // points, lines, curves and normals carry nothing that is simulated
-    }
-
-    void vertex(Words& words) {
+    void vertex(const char* at, const char* end) {
+        at = skip_blanks(at, end);
         for (int axis = 0; axis < 3; ++axis) {
-            const std::string_view word = words.next();
-            if (word.empty()) {
+            if (at == end) {
                 fail("a vertex needs three coordinates.");
             }
-            positions_.push_back(number(word, "coordinate"));
+            piece_.positions.push_back(number(at, end, "coordinate"));
         }
-        std::array<float, 4> extra{};
+        if (at == end || *at == '#') {
+            return;
+        }
+        std::array<float, 4> extra{-1.0F, -1.0F, -1.0F, -1.0F};
         std::size_t extras = 0;
-        for (std::string_view word = words.next(); !word.empty() && word.front() != '#';
-             word = words.next()) {
-            const double value = number(word, "vertex value");
+        while (at != end && *at != '#') {
+            const auto value = static_cast<float>(number(at, end, "vertex value"));
             if (extras < extra.size()) {
-                extra[extras++] = static_cast<float>(value);
+                extra[extras++] = value;
             }
         }
-        if (extras >= 3) {  // x y z r g b; a single extra value is a weight
-            const std::size_t skip = extras == 4 ? 1 : 0;
-            colours_.resize(positions_.size() - 3, 1.0F);
-            colours_.insert(colours_.end(), extra.begin() + skip, extra.begin() + skip + 3);
+        if (extras >= 3) {  // x y z r g b [a]; fewer are a weight
+            piece_.colours.resize(piece_.positions.size() / 3 * 4 - 4, -1.0F);
+            piece_.colours.insert(piece_.colours.end(), extra.begin(), extra.end());
         }
     }
 
-    int index(std::string_view word, std::size_t count, const char* what) const {
+    void texture_coordinate(const char* at, const char* end) {
+        at = skip_blanks(at, end);
+        const double u = number(at, end, "texture coordinate");
+        const double v = at == end || *at == '#' ? 0.0 : number(at, end, "texture coordinate");
+        if (!is_usable(u) || !is_usable(v)) {
+            fail("texture coordinate is not a usable number.");
+        }
+        piece_.uv.push_back(static_cast<float>(u));
+        piece_.uv.push_back(static_cast<float>(v));
+    }
+
+    /// @return the index from 0; one that counts backwards, relative to the piece's beginning
+    static int index(const char*& at, const char* end, std::size_t count, bool& backward,
+                     const char* what) {
         int value = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (word.empty() || error != std::errc() || end != word.data() + word.size()) {
-            fail(std::string("face ") + what + " '" + std::string(word.substr(0, 40)) +
-                 "' is not a whole number.");
+        const char* const stop = read_whole(at, end, value);
+        if (stop == nullptr || (stop != end && *stop != '/' && !is_blank(*stop))) {
+            fail(std::string("face ") + what + " " + quoted(at, end) + " is not a whole number.");
         }
-        const long long resolved = value > 0 ? value - 1LL : static_cast<long long>(count) + value;
-        if (value == 0 || resolved < 0) {
-            fail(std::string("face ") + what + " " + std::to_string(value) +
-                 " does not exist (the first one is 1).");
+        if (value == 0) {
+            fail(std::string("face ") + what + " 0 does not exist (the first one is 1).");
         }
-        return static_cast<int>(resolved);
+        at = stop;
+        backward = value < 0;
+        return backward ? static_cast<int>(count) + value : value - 1;
     }
 
-    void face(Words& words) {
-        const std::size_t begin = scan_.faces.vertex.size();
-        for (std::string_view word = words.next(); !word.empty() && word.front() != '#';
-             word = words.next()) {
-            const std::size_t slash = word.find('/');
-            const int v = index(word.substr(0, slash), positions_.size() / 3, "vertex");
+    void face(const char* at, const char* end) {
+        int corners = 0;
+        at = skip_blanks(at, end);
+        while (at != end && *at != '#') {
+            bool backward = false;
+            const int v = index(at, end, piece_.positions.size() / 3, backward, "vertex");
+            if (backward) {
+                piece_.backward_vertex.push_back(piece_.corner_vertex.size());
+            }
             int t = -1;
-            if (slash != std::string_view::npos) {
-                const std::string_view rest = word.substr(slash + 1);
-                const std::string_view uv_word = rest.substr(0, rest.find('/'));
-                if (!uv_word.empty()) {
-                    t = index(uv_word, uv_.size(), "texture coordinate");
+            if (at != end && *at == '/') {
+                ++at;
+                if (at != end && *at != '/' && !is_blank(*at)) {
+                    t = index(at, end, piece_.uv.size() / 2, backward, "texture coordinate");
+                    piece_.any_uv = true;
+                    if (backward) {
+                        piece_.backward_uv.push_back(piece_.corner_uv.size());
+                    }
+                }
+                if (at != end && *at == '/') {
+                    ++at;
+                    int normal = 0;
+                    const char* const stop = read_whole(at, end, normal);
+                    if (stop == nullptr && at != end && !is_blank(*at)) {
+                        fail("face normal " + quoted(at, end) + " is not a whole number.");
+                    }
+                    at = stop != nullptr ? stop : at;
+                }
+                if (at != end && !is_blank(*at)) {
+                    fail("face corner ends in " + quoted(at, end) + ".");
                 }
             }
-            scan_.faces.vertex.push_back(v);
-            scan_.faces.uv.push_back(t);
+            piece_.corner_vertex.push_back(v);
+            piece_.corner_uv.push_back(t);
+            ++corners;
+            at = skip_blanks(at, end);
         }
-        if (scan_.faces.vertex.size() - begin < 3) {
+        if (corners < 3) {
             fail("a face needs at least three corners.");
         }
-        scan_.faces.start.push_back(static_cast<int>(scan_.faces.vertex.size()));
-        face_lines_.push_back(line_number_);
+        piece_.face_sizes.push_back(corners);
     }
 
-    /// Positive indices may point forward, so ranges are checked once everything is read.
-    void finish() {
-        const auto vertices = static_cast<int>(positions_.size() / 3);
-        if (vertices == 0) {
+    Piece& piece_;
+    std::string joined_;
+};
+
+/// Stretches of about equal size that end where a statement ends.
+std::vector<Piece> pieces_of(std::string_view text) {
+    std::vector<Piece> pieces;
+    while (!text.empty()) {
+        std::size_t cut = std::min(kPieceBytes, text.size());
+        while (cut < text.size()) {
+            const std::size_t newline = text.find('\n', cut - 1);
+            cut = newline == std::string_view::npos ? text.size() : newline + 1;
+            if (newline == std::string_view::npos ||
+                !PieceParser::continues(text.data(), text.data() + newline)) {
+                break;
+            }
+            ++cut;
+        }
+        cut = std::min(cut, text.size());
+        pieces.emplace_back();
+        pieces.back().text = text.substr(0, cut);
+        text.remove_prefix(cut);
+    }
+    return pieces;
+}
+
+/// Line of a face, for a message; the file is walked again.
+int line_of_face(std::string_view text, int wanted) {
+    int line = 0;
+    int faces = 0;
+    while (!text.empty()) {
+        const std::size_t stop = std::min(text.find('\n'), text.size());
+        const char* const at = skip_blanks(text.data(), text.data() + stop);
+        const int begins = ++line;
+        bool more = PieceParser::continues(text.data(), text.data() + stop);
+        const bool is_face = at + 1 < text.data() + stop && *at == 'f' && is_blank(at[1]);
+        text.remove_prefix(std::min(stop + 1, text.size()));
+        while (more && !text.empty()) {
+            const std::size_t next = std::min(text.find('\n'), text.size());
+            more = PieceParser::continues(text.data(), text.data() + next);
+            text.remove_prefix(std::min(next + 1, text.size()));
+            ++line;
+        }
+        if (is_face && faces++ == wanted) {
+            return begins;
+        }
+    }
+    return line;
+}
+
+template <typename Get>
+std::vector<std::size_t> offsets(const std::vector<Piece>& pieces, const Get& get) {
+    std::vector<std::size_t> result{0};
+    for (const Piece& piece : pieces) {
+        result.push_back(result.back() + get(piece));
+    }
+    return result;
+}
+
+class ObjJoiner {
+public:
+    ObjJoiner(std::string_view text, const std::string& name, std::vector<Piece>& pieces,
+              Scan& scan)
+        : text_(text), name_(name), pieces_(pieces), scan_(scan) {}
+
+    void join() {
+        const auto vertex = offsets(pieces_, [](const Piece& p) { return p.positions.size() / 3; });
+        const auto uv = offsets(pieces_, [](const Piece& p) { return p.uv.size() / 2; });
+        const auto face = offsets(pieces_, [](const Piece& p) { return p.face_sizes.size(); });
+        const auto corner =
+            offsets(pieces_, [](const Piece& p) { return p.corner_vertex.size(); });
+        if (std::max({vertex.back(), uv.back(), corner.back()}) > 500'000'000) {
+            throw IoError(name_ + ": has more vertices or corners than this program can hold.");
+        }
+        if (vertex.back() == 0) {
             throw IoError(name_ + ": holds no vertices, this is not a face scan.");
         }
-        if (scan_.faces.count() == 0) {
+        if (face.back() == 0) {
             throw IoError(name_ + ": holds points but no faces; export the scan as a mesh.");
         }
-        bool any_uv = false;
-        for (int f = 0; f < scan_.faces.count(); ++f) {
-            for (int c = scan_.faces.start[f]; c < scan_.faces.start[f + 1]; ++c) {
-                line_number_ = face_lines_[f];
-                if (scan_.faces.vertex[c] >= vertices) {
-                    fail("face vertex " + std::to_string(scan_.faces.vertex[c] + 1) +
-                         " does not exist (the file has " + std::to_string(vertices) + ").");
+        scan_.mesh.vertices.resize(3, static_cast<Eigen::Index>(vertex.back()));
+        scan_.uv.resize(2, static_cast<Eigen::Index>(uv.back()));
+        scan_.faces.start.resize(face.back() + 1);
+        scan_.faces.vertex.resize(corner.back());
+        const bool any_uv = std::any_of(pieces_.begin(), pieces_.end(),
+                                        [](const Piece& p) { return p.any_uv; });
+        if (any_uv) {
+            scan_.faces.uv.resize(corner.back());
+        }
+        std::vector<int> wrong(pieces_.size(), -1);  // first face with a bad index
+        parallel_for(static_cast<int>(pieces_.size()), 1, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                Piece& piece = pieces_[static_cast<std::size_t>(i)];
+                const auto k = static_cast<std::size_t>(i);
+                std::copy(piece.positions.begin(), piece.positions.end(),
+                          scan_.mesh.vertices.data() + 3 * vertex[k]);
+                std::copy(piece.uv.begin(), piece.uv.end(), scan_.uv.data() + 2 * uv[k]);
+                for (const std::size_t c : piece.backward_vertex) {
+                    piece.corner_vertex[c] += static_cast<int>(vertex[k]);
                 }
-                if (scan_.faces.uv[c] >= static_cast<int>(uv_.size())) {
-                    fail("face texture coordinate " + std::to_string(scan_.faces.uv[c] + 1) +
-                         " does not exist (the file has " + std::to_string(uv_.size()) + ").");
+                for (const std::size_t c : piece.backward_uv) {
+                    piece.corner_uv[c] += static_cast<int>(uv[k]);
+                    // -1 would read as "none": one that reaches before the file stays wrong.
+                    piece.corner_uv[c] = std::max(piece.corner_uv[c], -1) - (piece.corner_uv[c] < 0);
                 }
-                any_uv = any_uv || scan_.faces.uv[c] >= 0;
+                std::size_t c = 0;
+                for (std::size_t f = 0; f < piece.face_sizes.size(); ++f) {
+                    scan_.faces.start[face[k] + f] = static_cast<int>(corner[k] + c);
+                    for (int n = 0; n < piece.face_sizes[f]; ++n, ++c) {
+                        const int v = piece.corner_vertex[c];
+                        const int t = piece.corner_uv[c];
+                        if ((v < 0 || v >= static_cast<int>(vertex.back()) || t < -1 ||
+                             t >= static_cast<int>(uv.back())) &&
+                            wrong[k] < 0) {
+                            wrong[k] = static_cast<int>(f);
+                        }
+                        scan_.faces.vertex[corner[k] + c] = v;
+                        if (any_uv) {
+                            scan_.faces.uv[corner[k] + c] = t;
+                        }
+                    }
+                }
+                piece.positions = {};
+                piece.uv = {};
+                piece.corner_uv = {};
+            }
+        });
+        scan_.faces.start.back() = static_cast<int>(corner.back());
+        for (std::size_t k = 0; k < pieces_.size(); ++k) {
+            if (wrong[k] >= 0) {
+                refuse(static_cast<int>(face[k]) + wrong[k]);
             }
         }
-        if (!any_uv) {
-            scan_.faces.uv.clear();
-        }
-        scan_.mesh.vertices = Eigen::Map<const Points>(positions_.data(), 3, vertices);
-        scan_.uv.resize(2, static_cast<Eigen::Index>(uv_.size()));
-        for (std::size_t i = 0; i < uv_.size(); ++i) {
-            scan_.uv.col(static_cast<Eigen::Index>(i)) << uv_[i][0], uv_[i][1];
-        }
-        if (!colours_.empty()) {
-            colours_.resize(positions_.size(), 1.0F);
-            scan_.colours = Eigen::Map<const Eigen::Matrix3Xf>(colours_.data(), 3, vertices);
-            if (scan_.colours.maxCoeff() > 1.001F) {
-                scan_.colours /= 255.0F;  // some scanners write bytes
+        colours(vertex);
+        statements(face);
+    }
+
+private:
+    [[noreturn]] void refuse(int face) const {
+        std::string what = "a corner";
+        for (int c = scan_.faces.start[face]; c < scan_.faces.start[face + 1]; ++c) {
+            const auto say = [&](const char* kind, int index, Eigen::Index count) {
+                what = std::string("face ") + kind + " " +
+                       (index < 0 ? "before the first one" : std::to_string(index + 1)) +
+                       " does not exist (the file has " + std::to_string(count) + ").";
+            };
+            if (scan_.faces.vertex[c] < 0 || scan_.faces.vertex[c] >= scan_.mesh.vertices.cols()) {
+                say("vertex", scan_.faces.vertex[c], scan_.mesh.vertices.cols());
+                break;
             }
-            scan_.colours = scan_.colours.cwiseMax(0.0F).cwiseMin(1.0F);
+            if (!scan_.faces.uv.empty() &&
+                (scan_.faces.uv[c] < -1 || scan_.faces.uv[c] >= scan_.uv.cols())) {
+                say("texture coordinate", scan_.faces.uv[c], scan_.uv.cols());
+                break;
+            }
         }
+        throw IoError(name_ + " line " + std::to_string(line_of_face(text_, face)) + ": " + what);
+    }
+
+    void colours(const std::vector<std::size_t>& vertex) {
+        float largest = -1.0F;
+        bool any_alpha = false;
+        for (const Piece& piece : pieces_) {
+            for (std::size_t i = 0; i < piece.colours.size(); ++i) {
+                largest = i % 4 < 3 ? std::max(largest, piece.colours[i]) : largest;
+                any_alpha = any_alpha || (i % 4 == 3 && piece.colours[i] >= 0.0F);
+            }
+        }
+        if (largest < 0.0F) {
+            return;
+        }
+        scan_.byte_colours = largest > 1.001F;  // some scanners write bytes
+        const float scale = scan_.byte_colours ? 1.0F / 255.0F : 1.0F;
+        const auto n = scan_.mesh.vertices.cols();
+        scan_.colours.setOnes(3, n);
+        if (any_alpha) {
+            scan_.alpha.setOnes(n);
+        }
+        for (std::size_t k = 0; k < pieces_.size(); ++k) {
+            const std::vector<float>& from = pieces_[k].colours;
+            for (std::size_t i = 0; i < from.size(); ++i) {
+                const auto v = static_cast<Eigen::Index>(vertex[k] + i / 4);
+                if (i % 4 == 3 && from[i] >= 0.0F) {
+                    scan_.alpha[v] = std::min(from[i] * scale, 1.0F);
+                } else if (i % 4 != 3 && from[i - i % 4] >= 0.0F) {
+                    scan_.colours(static_cast<Eigen::Index>(i % 4), v) =
+                        std::clamp(from[i] * scale, 0.0F, 1.0F);
+                }
+            }
+        }
+    }
+
+    /// Groups as they came; materials in the order of their first use.
+    void statements(const std::vector<std::size_t>& face) {
+        std::unordered_map<std::string, int> numbers;
+        int current = -1;
+        int from = 0;
+        const auto use_until = [&](int to) {
+            if (current >= 0 && scan_.face_material.empty()) {
+                scan_.face_material.assign(static_cast<std::size_t>(scan_.faces.count()), -1);
+            }
+            if (current >= 0) {
+                std::fill(scan_.face_material.begin() + from, scan_.face_material.begin() + to,
+                          current);
+            }
+            from = to;
+        };
+        for (std::size_t k = 0; k < pieces_.size(); ++k) {
+            for (ObjStatement& statement : pieces_[k].statements) {
+                statement.before_face += static_cast<int>(face[k]);
+                if (statement.text.rfind("usemtl", 0) == 0) {
+                    use_until(statement.before_face);
+                    const std::size_t at = statement.text.find_first_not_of(" \t", 6);
+                    const std::string material =
+                        at == std::string::npos ? std::string() : statement.text.substr(at);
+                    const auto [found, is_new] =
+                        numbers.emplace(material, static_cast<int>(scan_.materials.size()));
+                    if (is_new) {
+                        scan_.materials.push_back({material, {1.0F, 1.0F, 1.0F, 1.0F}, -1});
+                    }
+                    current = found->second;
+                }
+                scan_.statements.push_back(std::move(statement));
+            }
+            for (std::string& library : pieces_[k].libraries) {
+                scan_.material_libraries.push_back(std::move(library));
+            }
+            scan_.findings.other_statements += pieces_[k].others;
+        }
+        use_until(scan_.faces.count());
     }
 
     std::string_view text_;
     const std::string& name_;
+    std::vector<Piece>& pieces_;
     Scan& scan_;
-    const Progress* progress_;
-    int line_number_ = 0;
-    std::string joined_;
-    std::vector<double> positions_;
-    std::vector<float> colours_;
-    std::vector<std::array<float, 2>> uv_;
-    std::vector<int> face_lines_;
 };
 
 }  // namespace
 
 void read_obj(std::string_view text, const std::string& name, Scan& scan,
               const Progress* progress) {
-    ObjParser(text, name, scan, progress).parse();
+    if (text.substr(0, 3) == "\xEF\xBB\xBF") {
+        text.remove_prefix(3);  // byte order mark
+    }
+    std::vector<Piece> pieces = pieces_of(text);
+    constexpr std::size_t kTogether = 16;  // between two looks at the cancel button
+    for (std::size_t first = 0; first < pieces.size(); first += kTogether) {
+        if (progress != nullptr) {
+            progress->report("Reading",
+                             static_cast<double>(first) / static_cast<double>(pieces.size()));
+        }
+        const std::size_t count = std::min(kTogether, pieces.size() - first);
+        parallel_for(static_cast<int>(count), 1, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                PieceParser(pieces[first + static_cast<std::size_t>(i)]).parse();
+            }
+        });
+        int line = 0;
+        for (std::size_t k = 0; k < first + count; ++k) {
+            line += pieces[k].lines;
+            if (!pieces[k].problem.empty()) {
+                throw IoError(name + " line " + std::to_string(line) + ": " + pieces[k].problem);
+            }
+        }
+    }
+    ObjJoiner(text, name, pieces, scan).join();
 }
 
 }  // namespace myoface

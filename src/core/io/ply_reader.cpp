@@ -2,57 +2,65 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <map>
 
 #include "myoface/base/error.h"
+#include "myoface/base/parallel.h"
 
+#include "number_text.h"
+#include "ply_header.h"
 #include "readers.h"
 
 namespace myoface {
 namespace {
 
-enum class Type { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+template <typename T>
+double load(const char* at, bool swap) {
+    std::array<char, sizeof(T)> raw{};
+    std::memcpy(raw.data(), at, sizeof(T));
+    if (swap) {
+        std::reverse(raw.begin(), raw.end());
+    }
+    return static_cast<double>(std::bit_cast<T>(raw));
+}
 
-std::size_t type_size(Type type) {
+double load(const char* at, PlyType type, bool swap) {
     switch (type) {
-        case Type::Int8:
-        case Type::Uint8:
-            return 1;
-        case Type::Int16:
-        case Type::Uint16:
-            return 2;
-        case Type::Float64:
-            return 8;
+        case PlyType::Int8:
+            return load<std::int8_t>(at, false);
+        case PlyType::Uint8:
+            return load<std::uint8_t>(at, false);
+        case PlyType::Int16:
+            return load<std::int16_t>(at, swap);
+        case PlyType::Uint16:
+            return load<std::uint16_t>(at, swap);
+        case PlyType::Int32:
+            return load<std::int32_t>(at, swap);
+        case PlyType::Uint32:
+            return load<std::uint32_t>(at, swap);
+        case PlyType::Float32:
+            return load<float>(at, swap);
         default:
-            return 4;
+            return load<double>(at, swap);
     }
 }
 
-struct Property {
-    std::string name;
-    Type type = Type::Float32;
-    bool is_list = false;
-    Type count_type = Type::Uint8;
-};
+/// Where a vertex property goes.
+enum Slot { kX, kY, kZ, kRed, kGreen, kBlue, kAlpha, kU, kV, kSlots, kNowhere = -1 };
 
-struct Element {
-    std::string name;
-    std::size_t count = 0;
-    std::vector<Property> properties;
-};
-
-std::string_view word_of(std::string_view& line) {
-    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) {
-        line.remove_prefix(1);
-    }
-    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
-    const std::string_view word = line.substr(0, end);
-    line.remove_prefix(end);
-    return word;
+Slot slot_of(const PlyProperty& property) {
+    static const std::map<std::string_view, Slot> kNames{
+        {"x", kX},           {"y", kY},          {"z", kZ},
+        {"red", kRed},       {"green", kGreen},  {"blue", kBlue},
+        {"alpha", kAlpha},   {"r", kRed},        {"g", kGreen},
+        {"b", kBlue},        {"a", kAlpha},      {"diffuse_red", kRed},
+        {"diffuse_green", kGreen}, {"diffuse_blue", kBlue}, {"s", kU},
+        {"t", kV},           {"u", kU},          {"v", kV},
+        {"texture_u", kU},   {"texture_v", kV}};
+    const auto found = kNames.find(property.name);
+    return found == kNames.end() || property.is_list ? kNowhere : found->second;
 }
 
 class PlyParser {
@@ -61,223 +69,91 @@ public:
         : bytes_(bytes), name_(name), scan_(scan), progress_(progress) {}
 
     void parse() {
-        header();
-        for (const Element& element : elements_) {
+        const PlyHeader header = read_ply_header(bytes_, name_);
+        at_ = header.size;
+        scan_.format = header.format;
+        ascii_ = header.format == FileFormat::PlyAscii;
+        swap_ = !ascii_ && (header.format == FileFormat::PlyBinaryBig) !=
+                               (std::endian::native == std::endian::big);
+        for (const PlyElement& element : header.elements) {
             if (element.name == "vertex") {
                 vertices(element);
             } else if (element.name == "face") {
                 faces(element);
+            } else if (element.name == "tristrips") {
+                strips(element);
             } else {
                 skip(element);
             }
         }
         finish();
+        textures(header.textures);
     }
 
 private:
     [[noreturn]] void fail(const std::string& what) const { throw IoError(name_ + ": " + what); }
-    [[noreturn]] void fail_at(const Element& element, std::size_t i,
+    [[noreturn]] void fail_at(const PlyElement& element, std::size_t i,
                               const std::string& what) const {
         throw IoError(name_ + " " + element.name + " " + std::to_string(i) + ": " + what);
     }
-
-    std::string_view header_line() {
-        const std::size_t end = bytes_.find('\n', at_);
-        if (end == std::string_view::npos) {
-            fail("the PLY header has no end (is the file truncated?).");
-        }
-        std::string_view line = bytes_.substr(at_, end - at_);
-        at_ = end + 1;
-        if (!line.empty() && line.back() == '\r') {
-            line.remove_suffix(1);
-        }
-        return line;
+    [[noreturn]] void fail_end(const PlyElement& element, std::size_t i) const {
+        fail_at(element, i, "the file ends here (is it truncated?).");
     }
 
-    Type type_named(std::string_view name) const {
-        static const std::map<std::string_view, Type> kTypes{
-            {"char", Type::Int8},      {"int8", Type::Int8},       {"uchar", Type::Uint8},
-            {"uint8", Type::Uint8},    {"short", Type::Int16},     {"int16", Type::Int16},
-            {"ushort", Type::Uint16},  {"uint16", Type::Uint16},   {"int", Type::Int32},
-            {"int32", Type::Int32},    {"uint", Type::Uint32},     {"uint32", Type::Uint32},
-            {"float", Type::Float32},  {"float32", Type::Float32}, {"double", Type::Float64},
-            {"float64", Type::Float64}};
-        const auto found = kTypes.find(name);
-        if (found == kTypes.end()) {
-            fail("the PLY header names the unknown type '" + std::string(name.substr(0, 40)) +
-                 "'.");
-        }
-        return found->second;
-    }
-
-    void header() {
-        header_line();  // "ply", seen by the caller
-        bool has_format = false;
-        for (;;) {
-            std::string_view line = header_line();
-            const std::string_view key = word_of(line);
-            if (key == "end_header") {
-                break;
-            }
-            if (key == "format") {
-                const std::string_view kind = word_of(line);
-                has_format = true;
-                if (kind == "ascii") {
-                    scan_.format = FileFormat::PlyAscii;
-                } else if (kind == "binary_little_endian") {
-                    scan_.format = FileFormat::PlyBinaryLittle;
-                } else if (kind == "binary_big_endian") {
-                    scan_.format = FileFormat::PlyBinaryBig;
-                } else {
-                    fail("the PLY header names the unknown format '" +
-                         std::string(kind.substr(0, 40)) + "'.");
-                }
-            } else if (key == "comment") {
-                if (word_of(line) == "TextureFile") {
-                    while (!line.empty() && line.front() == ' ') {
-                        line.remove_prefix(1);
-                    }
-                    scan_.texture = line;
-                }
-            } else if (key == "element") {
-                Element element;
-                element.name = word_of(line);
-                const std::string_view count = word_of(line);
-                const auto parsed =
-                    std::from_chars(count.data(), count.data() + count.size(), element.count);
-                if (parsed.ec != std::errc() || parsed.ptr != count.data() + count.size() ||
-                    count.empty()) {
-                    fail("the PLY header gives no usable count for element '" + element.name +
-                         "'.");
-                }
-                elements_.push_back(element);
-            } else if (key == "property") {
-                if (elements_.empty()) {
-                    fail("the PLY header has a property before any element.");
-                }
-                Property property;
-                std::string_view type = word_of(line);
-                if (type == "list") {
-                    property.is_list = true;
-                    property.count_type = type_named(word_of(line));
-                    type = word_of(line);
-                }
-                property.type = type_named(type);
-                property.name = word_of(line);
-                elements_.back().properties.push_back(property);
-            }
-        }
-        if (!has_format) {
-            fail("the PLY header names no format.");
-        }
-        if (scan_.format == FileFormat::PlyBinaryLittle) {
-            swap_ = std::endian::native != std::endian::little;
-        } else if (scan_.format == FileFormat::PlyBinaryBig) {
-            swap_ = std::endian::native != std::endian::big;
-        }
-        for (const Element& element : elements_) {
-            check_count(element);
-        }
-    }
-
-    /// A count larger than the rest of the file could hold is a lie: refuse it before any memory
-    /// is asked for.
-    void check_count(const Element& element) const {
-        std::size_t least = 0;
-        for (const Property& property : element.properties) {
-            least += scan_.format == FileFormat::PlyAscii
-                         ? 2
-                         : type_size(property.is_list ? property.count_type : property.type);
-        }
-        const std::size_t left = bytes_.size() - at_ + 1;
-        if (least == 0 ? element.count > 0 : element.count > left / least) {
-            fail("is truncated: the header promises " + std::to_string(element.count) + " '" +
-                 element.name + "' elements, the file is too short for them.");
-        }
-    }
-
-    template <typename T>
-    double raw(const Element& element, std::size_t i) {
-        if (bytes_.size() - at_ < sizeof(T)) {
-            fail_at(element, i, "the file ends here (is it truncated?).");
-        }
-        std::array<char, sizeof(T)> buffer{};
-        std::memcpy(buffer.data(), bytes_.data() + at_, sizeof(T));
-        at_ += sizeof(T);
-        if (swap_) {
-            std::reverse(buffer.begin(), buffer.end());
-        }
-        return static_cast<double>(std::bit_cast<T>(buffer));
-    }
-
-    double value(const Element& element, std::size_t i, Type type) {
-        if (scan_.format == FileFormat::PlyAscii) {
+    double value(const PlyElement& element, std::size_t i, PlyType type) {
+        if (ascii_) {
             return ascii_value(element, i);
         }
-        switch (type) {
-            case Type::Int8:
-                return raw<std::int8_t>(element, i);
-            case Type::Uint8:
-                return raw<std::uint8_t>(element, i);
-            case Type::Int16:
-                return raw<std::int16_t>(element, i);
-            case Type::Uint16:
-                return raw<std::uint16_t>(element, i);
-            case Type::Int32:
-                return raw<std::int32_t>(element, i);
-            case Type::Uint32:
-                return raw<std::uint32_t>(element, i);
-            case Type::Float32:
-                return raw<float>(element, i);
-            default:
-                return raw<double>(element, i);
+        const std::size_t size = size_of(type);
+        if (bytes_.size() - at_ < size) {
+            fail_end(element, i);
         }
-    }
-
-    double ascii_value(const Element& element, std::size_t i) {
-        while (at_ < bytes_.size() && std::isspace(static_cast<unsigned char>(bytes_[at_]))) {
-            ++at_;
-        }
-        if (at_ == bytes_.size()) {
-            fail_at(element, i, "the file ends here (is it truncated?).");
-        }
-        const std::size_t begin = bytes_[at_] == '+' ? at_ + 1 : at_;
-        double result = 0.0;
-        const auto [end, error] =
-            std::from_chars(bytes_.data() + begin, bytes_.data() + bytes_.size(), result);
-        const auto stop = static_cast<std::size_t>(end - bytes_.data());
-        const bool whole =
-            stop == bytes_.size() || std::isspace(static_cast<unsigned char>(bytes_[stop]));
-        if (error != std::errc() || !whole) {
-            fail_at(
-                element, i,
-                "'" +
-                    std::string(bytes_.substr(
-                        at_, std::min<std::size_t>(20, bytes_.find_first_of(" \r\n", at_) - at_))) +
-                    "' is not a number.");
-        }
-        at_ = stop;
+        const double result = load(bytes_.data() + at_, type, swap_);
+        at_ += size;
         return result;
     }
 
-    std::size_t list_size(const Element& element, std::size_t i, const Property& property) {
+    double ascii_value(const PlyElement& element, std::size_t i) {
+        const char* const end = bytes_.data() + bytes_.size();
+        const char* p = bytes_.data() + at_;
+        while (p != end && ends_word(*p)) {
+            ++p;
+        }
+        if (p == end) {
+            fail_end(element, i);
+        }
+        double result = 0.0;
+        const char* const stop = read_number(p, end, result);
+        if (stop == nullptr || (stop != end && !ends_word(*stop))) {
+            fail_at(element, i, quoted(p, end) + " is not a number.");
+        }
+        at_ = static_cast<std::size_t>(stop - bytes_.data());
+        return result;
+    }
+
+    std::size_t list_size(const PlyElement& element, std::size_t i, const PlyProperty& property) {
         const double count = value(element, i, property.count_type);
         const double left = static_cast<double>(bytes_.size() - at_) + 1.0;
-        const auto least = static_cast<double>(
-            scan_.format == FileFormat::PlyAscii ? 1 : type_size(property.type));
-        if (!(count >= 0.0) || count != std::floor(count) || count * least > left) {
+        const auto least = static_cast<double>(ascii_ ? 1 : size_of(property.type));
+        if (!std::isfinite(count) || count < 0.0 || count != std::floor(count) || count * least > left) {
             fail_at(element, i, "a list has an impossible length.");
         }
         return static_cast<std::size_t>(count);
     }
 
-    void skip(const Element& element) {
+    void skip(const PlyElement& element, std::size_t i, const PlyProperty& property) {
+        const std::size_t count = property.is_list ? list_size(element, i, property) : 1;
+        for (std::size_t k = 0; k < count; ++k) {
+            value(element, i, property.type);
+        }
+    }
+
+    void skip(const PlyElement& element) {
+        scan_.findings.other_statements += static_cast<int>(element.count);
         for (std::size_t i = 0; i < element.count; ++i) {
-            for (const Property& property : element.properties) {
-                const std::size_t count = property.is_list ? list_size(element, i, property) : 1;
-                for (std::size_t k = 0; k < count; ++k) {
-                    value(element, i, property.type);
-                }
+            report(i);
+            for (const PlyProperty& property : element.properties) {
+                skip(element, i, property);
             }
         }
     }
@@ -289,105 +165,152 @@ private:
         }
     }
 
-    void vertices(const Element& element) {
-        // Where each property goes: 0-2 position, 3-5 colour, 6-7 UV.
-        static const std::map<std::string_view, int> kSlots{{"x", 0},
-                                                            {"y", 1},
-                                                            {"z", 2},
-                                                            {"red", 3},
-                                                            {"green", 4},
-                                                            {"blue", 5},
-                                                            {"r", 3},
-                                                            {"g", 4},
-                                                            {"b", 5},
-                                                            {"s", 6},
-                                                            {"t", 7},
-                                                            {"u", 6},
-                                                            {"v", 7},
-                                                            {"texture_u", 6},
-                                                            {"texture_v", 7},
-                                                            {"diffuse_red", 3},
-                                                            {"diffuse_green", 4},
-                                                            {"diffuse_blue", 5}};
-        std::vector<int> slots;
-        std::array<bool, 8> has{};
-        double colour_scale = 1.0;
-        for (const Property& property : element.properties) {
-            const auto found = kSlots.find(property.name);
-            const int slot = found == kSlots.end() || property.is_list ? -1 : found->second;
+    void vertices(const PlyElement& element) {
+        std::vector<Slot> slots;
+        std::array<bool, kSlots> has{};
+        scan_.float_coordinates = true;
+        for (const PlyProperty& property : element.properties) {
+            const Slot slot = slot_of(property);
             slots.push_back(slot);
-            if (slot >= 0) {
-                has[slot] = true;
+            if (slot == kNowhere) {
+                continue;
             }
-            if (slot == 3 && type_size(property.type) < 4) {
-                colour_scale = type_size(property.type) == 1 ? 1.0 / 255.0 : 1.0 / 65535.0;
+            if (has[slot]) {
+                fail("the PLY header gives '" + property.name + "' a second time.");
+            }
+            has[slot] = true;
+            if (slot <= kZ && property.type != PlyType::Float32) {
+                scan_.float_coordinates = false;
+            }
+            if (slot == kRed && property.type < PlyType::Float32) {
+                scan_.byte_colours = true;
+                colour_scale_ = size_of(property.type) == 1   ? 1.0 / 255.0
+                                : size_of(property.type) == 2 ? 1.0 / 65535.0
+                                                              : 1.0 / 255.0;
             }
         }
-        if (!(has[0] && has[1] && has[2])) {
+        if (!(has[kX] && has[kY] && has[kZ])) {
             fail("its vertices have no x, y and z.");
         }
         const auto n = static_cast<Eigen::Index>(element.count);
         scan_.mesh.vertices.resize(3, n);
-        if (has[3] && has[4] && has[5]) {
+        if (has[kRed] && has[kGreen] && has[kBlue]) {
             scan_.colours.resize(3, n);
+            scan_.alpha.resize(has[kAlpha] ? n : 0);
         }
-        if (has[6] && has[7]) {
+        if (has[kU] && has[kV]) {
             scan_.uv.resize(2, n);
         }
+        const bool fixed = !ascii_ && std::none_of(element.properties.begin(),
+                                                   element.properties.end(),
+                                                   [](const auto& p) { return p.is_list; });
+        if (fixed) {
+            fixed_vertices(element, slots);
+            return;
+        }
         for (std::size_t i = 0; i < element.count; ++i) {
-            const auto column = static_cast<Eigen::Index>(i);
+            report(i);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
-                const Property& property = element.properties[p];
+                const PlyProperty& property = element.properties[p];
                 if (property.is_list) {
-                    const std::size_t count = list_size(element, i, property);
-                    for (std::size_t k = 0; k < count; ++k) {
-                        value(element, i, property.type);
-                    }
+                    skip(element, i, property);
                     continue;
                 }
                 const double number = value(element, i, property.type);
-                const int slot = slots[p];
-                if (slot < 0) {
-                    continue;
-                }
-                if (!std::isfinite(number)) {
+                if (!put(slots[p], static_cast<Eigen::Index>(i), number)) {
                     fail_at(element, i, "'" + property.name + "' is not a finite number.");
                 }
-                if (slot < 3) {
-                    scan_.mesh.vertices(slot, column) = number;
-                } else if (slot < 6 && scan_.colours.cols() > 0) {
-                    scan_.colours(slot - 3, column) =
-                        std::clamp(static_cast<float>(number * colour_scale), 0.0F, 1.0F);
-                } else if (slot >= 6 && scan_.uv.cols() > 0) {
-                    scan_.uv(slot - 6, column) = static_cast<float>(number);
-                }
             }
-            report(i);
         }
     }
 
-    void faces(const Element& element) {
+    /// Vertices that all take the same number of bytes are read side by side.
+    void fixed_vertices(const PlyElement& element, const std::vector<Slot>& slots) {
+        std::vector<std::size_t> offset;
+        std::size_t stride = 0;
+        for (const PlyProperty& property : element.properties) {
+            offset.push_back(stride);
+            stride += size_of(property.type);
+        }
+        if (element.count * stride > bytes_.size() - at_) {
+            fail_end(element, (bytes_.size() - at_) / stride);
+        }
+        constexpr int kGrain = 16384;
+        const auto count = static_cast<int>(element.count);
+        std::vector<int> bad(static_cast<std::size_t>(count / kGrain) + 1, -1);
+        report(0);
+        parallel_for(count, kGrain, [&](int begin, int end) {
+            int& first_bad = bad[static_cast<std::size_t>(begin / kGrain)];
+            for (int i = begin; i < end; ++i) {
+                const char* const at = bytes_.data() + at_ + static_cast<std::size_t>(i) * stride;
+                for (std::size_t p = 0; p < slots.size(); ++p) {
+                    if (slots[p] != kNowhere &&
+                        !put(slots[p], i, load(at + offset[p], element.properties[p].type, swap_)) &&
+                        first_bad < 0) {
+                        first_bad = i;
+                    }
+                }
+            }
+        });
+        for (const int i : bad) {
+            if (i >= 0) {
+                fail_at(element, static_cast<std::size_t>(i), "holds a number that is not finite.");
+            }
+        }
+        at_ += element.count * stride;
+    }
+
+    /// @return false for a number that is not finite
+    bool put(Slot slot, Eigen::Index i, double number) {
+        if (slot == kNowhere) {
+            return true;
+        }
+        if (!is_usable(number)) {
+            return false;
+        }
+        if (slot <= kZ) {
+            scan_.mesh.vertices(slot, i) = number;
+        } else if (slot <= kBlue && scan_.colours.cols() > 0) {
+            scan_.colours(slot - kRed, i) =
+                std::clamp(static_cast<float>(number * colour_scale_), 0.0F, 1.0F);
+        } else if (slot == kAlpha && scan_.alpha.size() > 0) {
+            scan_.alpha[i] = std::clamp(static_cast<float>(number * colour_scale_), 0.0F, 1.0F);
+        } else if (slot >= kU && scan_.uv.cols() > 0) {
+            scan_.uv(slot - kU, i) = static_cast<float>(number);
+        }
+        return true;
+    }
+
+    void faces(const PlyElement& element) {
+        scan_.faces.start.reserve(element.count + 1);
+        scan_.faces.vertex.reserve(3 * element.count);
         std::vector<double> corner_uv;
+        std::vector<int> texture_numbers;
         for (std::size_t i = 0; i < element.count; ++i) {
+            report(i);
             corner_uv.clear();
             const std::size_t begin = scan_.faces.vertex.size();
-            for (const Property& property : element.properties) {
+            for (const PlyProperty& property : element.properties) {
                 if (!property.is_list) {
-                    value(element, i, property.type);
+                    const double number = value(element, i, property.type);
+                    if (property.name == "texnumber") {
+                        texture_numbers.push_back(
+                            std::isfinite(number) && number >= 0.0 && number < 1e6 ? static_cast<int>(number) : -1);
+                    }
                     continue;
                 }
                 const std::size_t count = list_size(element, i, property);
-                const bool indices =
-                    property.name == "vertex_indices" || property.name == "vertex_index";
-                for (std::size_t k = 0; k < count; ++k) {
-                    const double number = value(element, i, property.type);
-                    if (indices) {
-                        if (!(number >= 0.0 && number < 2147483647.0)) {
-                            fail_at(element, i, "vertex number out of range.");
+                if (property.name == "vertex_indices" || property.name == "vertex_index") {
+                    for (std::size_t k = 0; k < count; ++k) {
+                        scan_.faces.vertex.push_back(vertex_number(element, i, property.type));
+                    }
+                } else {
+                    const bool uv = property.name == "texcoord";
+                    for (std::size_t k = 0; k < count; ++k) {
+                        const double number = value(element, i, property.type);
+                        if (uv) {
+                            corner_uv.push_back(number);
                         }
-                        scan_.faces.vertex.push_back(static_cast<int>(number));
-                    } else if (property.name == "texcoord") {
-                        corner_uv.push_back(number);
                     }
                 }
             }
@@ -397,11 +320,56 @@ private:
             }
             scan_.faces.start.push_back(static_cast<int>(scan_.faces.vertex.size()));
             append_wedge_uv(element, i, corner_uv, corners);
-            report(i);
+        }
+        scan_.face_material = std::move(texture_numbers);
+    }
+
+    int vertex_number(const PlyElement& element, std::size_t i, PlyType type) {
+        const double number = value(element, i, type);
+        if (!std::isfinite(number) || number < 0.0 || number >= 2147483647.0) {
+            fail_at(element, i, "vertex number out of range.");
+        }
+        return static_cast<int>(number);
+    }
+
+    /// Triangle strips as the scans of the Stanford archive have them: every vertex after the
+    /// second makes a triangle with the two before it, sides alternating; -1 begins anew.
+    void strips(const PlyElement& element) {
+        for (std::size_t i = 0; i < element.count; ++i) {
+            for (const PlyProperty& property : element.properties) {
+                if (!property.is_list || property.name != "vertex_indices") {
+                    skip(element, i, property);
+                    continue;
+                }
+                const std::size_t count = list_size(element, i, property);
+                int run = 0;
+                int a = 0;
+                int b = 0;
+                for (std::size_t k = 0; k < count; ++k) {
+                    report(k);
+                    const double number = value(element, i, property.type);
+                    if (number == -1.0 || number == 4294967295.0) {
+                        run = 0;
+                        continue;
+                    }
+                    if (!std::isfinite(number) || number < 0.0 || number >= 2147483647.0) {
+                        fail_at(element, i, "vertex number out of range.");
+                    }
+                    const int c = static_cast<int>(number);
+                    if (++run >= 3 && a != b && b != c && c != a) {
+                        const bool odd = run % 2 == 1;
+                        scan_.faces.vertex.insert(scan_.faces.vertex.end(),
+                                                  {odd ? a : b, odd ? b : a, c});
+                        scan_.faces.start.push_back(static_cast<int>(scan_.faces.vertex.size()));
+                    }
+                    a = b;
+                    b = c;
+                }
+            }
         }
     }
 
-    void append_wedge_uv(const Element& element, std::size_t i,
+    void append_wedge_uv(const PlyElement& element, std::size_t i,
                          const std::vector<double>& corner_uv, std::size_t corners) {
         const bool given = corner_uv.size() == 2 * corners;
         if (given && wedge_uv_.empty()) {
@@ -415,7 +383,7 @@ private:
                 scan_.faces.uv.push_back(-1);
                 continue;
             }
-            if (!std::isfinite(corner_uv[2 * k]) || !std::isfinite(corner_uv[2 * k + 1])) {
+            if (!is_usable(corner_uv[2 * k]) || !is_usable(corner_uv[2 * k + 1])) {
                 fail_at(element, i, "a texture coordinate is not a finite number.");
             }
             scan_.faces.uv.push_back(static_cast<int>(wedge_uv_.size() / 2));
@@ -442,10 +410,32 @@ private:
             }
         }
         if (!wedge_uv_.empty()) {
+            scan_.faces.uv.resize(scan_.faces.vertex.size(), -1);
             scan_.uv = Eigen::Map<const Eigen::Matrix2Xf>(
                 wedge_uv_.data(), 2, static_cast<Eigen::Index>(wedge_uv_.size() / 2));
         } else if (scan_.uv.cols() > 0) {
             scan_.faces.uv = scan_.faces.vertex;  // one coordinate per vertex
+        }
+    }
+
+    /// One material per texture file; faces choose theirs by number.
+    void textures(const std::vector<std::string>& names) {
+        for (const std::string& name : names) {
+            scan_.materials.push_back(
+                {name, {1.0F, 1.0F, 1.0F, 1.0F}, static_cast<int>(scan_.textures.size())});
+            scan_.textures.push_back({name, {}});
+        }
+        if (names.empty()) {
+            scan_.face_material.clear();
+            return;
+        }
+        const auto faces = static_cast<std::size_t>(scan_.faces.count());
+        const bool chosen = scan_.face_material.size() == faces && names.size() > 1;
+        if (!chosen) {
+            scan_.face_material.assign(faces, 0);
+        }
+        for (int& material : scan_.face_material) {
+            material = material < static_cast<int>(names.size()) ? material : -1;
         }
     }
 
@@ -454,8 +444,9 @@ private:
     Scan& scan_;
     const Progress* progress_;
     std::size_t at_ = 0;
+    bool ascii_ = false;
     bool swap_ = false;
-    std::vector<Element> elements_;
+    double colour_scale_ = 1.0;
     std::vector<float> wedge_uv_;
 };
 

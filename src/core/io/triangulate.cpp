@@ -18,8 +18,15 @@ Vec3 face_normal(const Points& vertices, const std::vector<int>& corners) {
     return normal;
 }
 
+/// Tests of a point against a triangle that one file may ask for before the rest of its large faces
+/// is cut into fans: a made-up face of a million corners must not take hours.
+constexpr long long kMostTests = 400'000'000;
+/// Up to this size the roundest ear is looked for, beyond it the next one serves.
+constexpr std::size_t kSmallFace = 16;
+
 /// Corner positions, as numbers 0 … n-1, of the triangles of one face.
-std::vector<std::array<int, 3>> clip_ears(const Points& vertices, const std::vector<int>& corners) {
+std::vector<std::array<int, 3>> clip_ears(const Points& vertices, const std::vector<int>& corners,
+                                          long long& tests) {
     const Vec3 normal = face_normal(vertices, corners);
     const auto at = [&](int k) -> Vec3 { return vertices.col(corners[k]); };
     const auto turn = [&](int a, int b, int c) {
@@ -30,20 +37,24 @@ std::vector<std::array<int, 3>> clip_ears(const Points& vertices, const std::vec
         left[i] = static_cast<int>(i);
     }
     std::vector<std::array<int, 3>> triangles;
+    std::size_t resume = 0;
     while (left.size() > 3) {
         const std::size_t n = left.size();
         std::size_t best = n;
         double best_shape = -1.0;
-        for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t k = 0; k < n && tests < kMostTests; ++k) {
+            const std::size_t i = (resume + k) % n;
             const int a = left[(i + n - 1) % n];
             const int b = left[i];
             const int c = left[(i + 1) % n];
+            ++tests;
             if (turn(a, b, c) <= 0.0) {
                 continue;
             }
-            const bool holds_another = std::any_of(left.begin(), left.end(), [&](int k) {
-                return k != a && k != b && k != c && turn(a, b, k) > 0.0 && turn(b, c, k) > 0.0 &&
-                       turn(c, a, k) > 0.0;
+            tests += static_cast<long long>(n);
+            const bool holds_another = std::any_of(left.begin(), left.end(), [&](int other) {
+                return other != a && other != b && other != c && turn(a, b, other) > 0.0 &&
+                       turn(b, c, other) > 0.0 && turn(c, a, other) > 0.0;
             });
             const double longest =
                 std::max({(at(a) - at(b)).squaredNorm(), (at(b) - at(c)).squaredNorm(),
@@ -52,13 +63,23 @@ std::vector<std::array<int, 3>> clip_ears(const Points& vertices, const std::vec
             if (!holds_another && shape > best_shape) {
                 best = i;
                 best_shape = shape;
+                if (n > kSmallFace) {
+                    break;
+                }
             }
         }
         if (best == n) {
-            best = 1;  // crossed or flat: any fan is as good as another
+            if (tests >= kMostTests) {  // a fan, all at once
+                for (std::size_t i = 1; i + 1 < n; ++i) {
+                    triangles.push_back({left[0], left[i], left[i + 1]});
+                }
+                return triangles;
+            }
+            best = 1;  // crossed or flat: any ear is as good as another
         }
         triangles.push_back({left[(best + n - 1) % n], left[best], left[(best + 1) % n]});
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
+        resume = n > kSmallFace ? best : 0;
     }
     triangles.push_back({left[0], left[1], left[2]});
     return triangles;
@@ -68,30 +89,31 @@ std::vector<std::array<int, 3>> clip_ears(const Points& vertices, const std::vec
 
 void triangulate(Scan& scan) {
     const Polygons& faces = scan.faces;
-    std::vector<Eigen::Vector3i> triangles;
-    scan.triangle_face.clear();
-    scan.triangle_corner.clear();
+    const std::size_t triangles = faces.vertex.size() - 2 * static_cast<std::size_t>(faces.count());
+    scan.mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles));
+    scan.triangle_face.resize(triangles);
+    scan.triangle_corner.resize(triangles);
     std::vector<int> corners;
+    std::size_t next = 0;
+    long long tests = 0;
     for (int f = 0; f < faces.count(); ++f) {
         const int begin = faces.start[f];
         const auto add = [&](int a, int b, int c) {
-            triangles.emplace_back(faces.vertex[begin + a], faces.vertex[begin + b],
-                                   faces.vertex[begin + c]);
-            scan.triangle_face.push_back(f);
-            scan.triangle_corner.push_back({begin + a, begin + b, begin + c});
+            scan.mesh.triangles.col(static_cast<Eigen::Index>(next))
+                << faces.vertex[begin + a],
+                faces.vertex[begin + b], faces.vertex[begin + c];
+            scan.triangle_face[next] = f;
+            scan.triangle_corner[next] = {begin + a, begin + b, begin + c};
+            ++next;
         };
         if (faces.size(f) == 3) {
             add(0, 1, 2);
             continue;
         }
         corners.assign(faces.vertex.begin() + begin, faces.vertex.begin() + faces.start[f + 1]);
-        for (const auto& t : clip_ears(scan.mesh.vertices, corners)) {
+        for (const auto& t : clip_ears(scan.mesh.vertices, corners, tests)) {
             add(t[0], t[1], t[2]);
         }
-    }
-    scan.mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        scan.mesh.triangles.col(static_cast<Eigen::Index>(t)) = triangles[t];
     }
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "myoface/base/parallel.h"
+
 namespace myoface {
 namespace {
 
@@ -11,18 +13,33 @@ struct HalfEdge {
     int low, high, triangle, opposite;
 };
 
+/// Half edges by their lower, then their higher vertex, then their triangle.
 std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh) {
-    std::vector<HalfEdge> halves;
-    halves.reserve(3 * static_cast<std::size_t>(mesh.triangle_count()));
+    const int n = mesh.vertex_count();
+    std::vector<int> start(static_cast<std::size_t>(n) + 1, 0);
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        for (int c = 0; c < 3; ++c) {
+            ++start[std::min(mesh.triangles(c, t), mesh.triangles((c + 1) % 3, t)) + 1];
+        }
+    }
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<HalfEdge> halves(static_cast<std::size_t>(start.back()));
+    std::vector<int> at(start.begin(), start.end() - 1);
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         for (int c = 0; c < 3; ++c) {
             const int a = mesh.triangles(c, t);
             const int b = mesh.triangles((c + 1) % 3, t);
-            halves.push_back({std::min(a, b), std::max(a, b), t, mesh.triangles((c + 2) % 3, t)});
+            halves[static_cast<std::size_t>(at[std::min(a, b)]++)] = {
+                std::min(a, b), std::max(a, b), t, mesh.triangles((c + 2) % 3, t)};
         }
     }
-    std::sort(halves.begin(), halves.end(), [](const HalfEdge& p, const HalfEdge& q) {
-        return std::tie(p.low, p.high, p.triangle) < std::tie(q.low, q.high, q.triangle);
+    parallel_for(n, 8192, [&](int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            std::sort(halves.begin() + start[v], halves.begin() + start[v + 1],
+                      [](const HalfEdge& p, const HalfEdge& q) {
+                          return std::tie(p.high, p.triangle) < std::tie(q.high, q.triangle);
+                      });
+        }
     });
     return halves;
 }
@@ -41,6 +58,7 @@ void fill_rows(int rows, std::vector<int>& start, std::vector<int>& values, cons
 }  // namespace
 
 Adjacency::Adjacency(const TriangleMesh& mesh) {
+    edges_.reserve(3 * static_cast<std::size_t>(mesh.triangle_count()) / 2 + 16);
     for (const HalfEdge& half : sorted_half_edges(mesh)) {
         if (half.low == half.high) {
             continue;  // a degenerate triangle has no edge here
