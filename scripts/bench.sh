@@ -4,8 +4,14 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 out=${1:-bench.json}
-time_each=0.5
-[ "${2:-}" = --quick ] && time_each=0.1
+repetitions=5
+time_each=0.2
+if [ "${2:-}" = --quick ]; then
+  repetitions=3
+  time_each=0.05
+fi
 "$here/setup.sh"
 "$here/build.sh" release -DMYOFACE_BUILD_BENCH=ON
-"$here/../build/release/bin/myoface-bench" --benchmark_min_time=$time_each --benchmark_out="$out" --benchmark_out_format=json
+"$here/../build/release/bin/myoface-bench" --flat="$out" \
+  --benchmark_min_time=$time_each --benchmark_repetitions=$repetitions
+echo "Medians and ratios: $out"

@@ -20,8 +20,7 @@ void add_convert(CLI::App& app) {
     auto* command = app.add_subcommand("convert", "Write a mesh in another format");
     auto a = std::make_shared<Arguments>();
     a->in.add_to(*command);
-    command->add_option("OUT", a->output, "name that ends in .obj, .ply, .stl or .glb")
-        ->required();
+    command->add_option("OUT", a->output, "name that ends in .obj, .ply, .stl or .glb")->required();
     command->callback([a] {
         const OpenedFace face = a->in.open();
         write_mesh(a->output, *face.scan, face.scan->mesh.vertices);

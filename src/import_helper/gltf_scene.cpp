@@ -2,16 +2,16 @@
 #include "gltf_scene.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <cstring>
-#include <map>
-
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/importerdesc.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <map>
+
 #include <nlohmann/json.hpp>
 
 #include "myoface/base/error.h"
@@ -113,8 +113,7 @@ public:
         }
         for (const json& mesh : *meshes) {
             const auto primitives = mesh.find("primitives");
-            for (const json& primitive :
-                 primitives == mesh.end() ? json::array() : *primitives) {
+            for (const json& primitive : primitives == mesh.end() ? json::array() : *primitives) {
                 vertices_of_.push_back(primitive.is_object()
                                            ? primitive.value("attributes", json()).dump()
                                            : std::string());
@@ -140,9 +139,9 @@ public:
             if ((all.row(3).array() != 1.0F).any()) {
                 scan_.alpha = all.row(3).transpose();
             }
-            scan_.byte_colours =
-                std::all_of(colours_.begin(), colours_.end(),
-                            [](float c) { return std::round(c * 255.0F) / 255.0F == c; });
+            scan_.byte_colours = std::all_of(colours_.begin(), colours_.end(), [](float c) {
+                return std::round(c * 255.0F) / 255.0F == c;
+            });
         }
         if (any_uv_) {
             uv_.resize(static_cast<std::size_t>(2 * n), 0.0F);
@@ -200,8 +199,7 @@ private:
         Texture texture{path, {}};
         if (const aiTexture* inside = scene_.GetEmbeddedTexture(path.c_str())) {
             if (inside->mHeight == 0) {
-                texture.bytes.assign(reinterpret_cast<const char*>(inside->pcData),
-                                     inside->mWidth);
+                texture.bytes.assign(reinterpret_cast<const char*>(inside->pcData), inside->mWidth);
             }
             const bool png = texture.bytes.substr(0, 4) == "\x89PNG";
             std::string number = path.front() == '*' ? path.substr(1) : std::string("0");
@@ -225,8 +223,8 @@ private:
             const bool code = path[i] == '%' && i + 2 < path.size() &&
                               std::isxdigit(static_cast<unsigned char>(path[i + 1])) != 0 &&
                               std::isxdigit(static_cast<unsigned char>(path[i + 2])) != 0;
-            result += code ? static_cast<char>(std::stoi(path.substr(i + 1, 2), nullptr, 16))
-                           : path[i];
+            result +=
+                code ? static_cast<char>(std::stoi(path.substr(i + 1, 2), nullptr, 16)) : path[i];
             i += code ? 2 : 0;
         }
         return result;
@@ -243,8 +241,8 @@ private:
             const aiMesh& mesh = *scene_.mMeshes[number];
             std::size_t base = positions_.size() / 3;
             if (number < vertices_of_.size()) {
-                const auto [found, is_new] = placed.emplace(
-                    vertices_of_[number] + std::to_string(mesh.mNumVertices), base);
+                const auto [found, is_new] =
+                    placed.emplace(vertices_of_[number] + std::to_string(mesh.mNumVertices), base);
                 base = found->second;
             }
             if (base == positions_.size() / 3) {
@@ -311,9 +309,9 @@ private:
                 scan_.faces.vertex.push_back(static_cast<int>(base + face.mIndices[c]));
             }
             scan_.faces.start.push_back(static_cast<int>(scan_.faces.vertex.size()));
-            scan_.face_material.push_back(
-                mesh.mMaterialIndex < scene_.mNumMaterials ? static_cast<int>(mesh.mMaterialIndex)
-                                                           : -1);
+            scan_.face_material.push_back(mesh.mMaterialIndex < scene_.mNumMaterials
+                                              ? static_cast<int>(mesh.mMaterialIndex)
+                                              : -1);
         }
     }
 

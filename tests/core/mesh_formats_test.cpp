@@ -209,8 +209,7 @@ TEST(Obj, NamesTheLineFarIntoALargeFile) {
         read_mesh_bytes(text + "f 1 2 x\n", "long.obj");
         FAIL();
     } catch (const IoError& error) {
-        EXPECT_STREQ(error.what(),
-                     "long.obj line 300004: face vertex 'x' is not a whole number.");
+        EXPECT_STREQ(error.what(), "long.obj line 300004: face vertex 'x' is not a whole number.");
     }
     EXPECT_NO_THROW(read_mesh_bytes(text + "f 1 2 4\n" + text, "long.obj"));  // further down
 }

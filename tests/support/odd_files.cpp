@@ -76,9 +76,9 @@ void add_obj(std::vector<OddFile>& files) {
     good("v .0 0. 0\nv 200. 0 -0\nv 0 200 .0e0\nf 1 2 3\n");
     good("v 0 0 0\nv 200 0 0\nv 0 0.0000000000000000000000200e25 0\nf 1 2 3\n");
     good("v 0 0 1e-400\nv 200 0 0\nv 0 200 0\nf 1 2 3\n");
-    good("v 0 0 0 1\nv 200 0 0 1\nv 0 200 0 1\n" + kT);               // weights
+    good("v 0 0 0 1\nv 200 0 0 1\nv 0 200 0 1\n" + kT);  // weights
     good("v 0 0 0 1 1 1 0.5\nv 200 0 0 0 0 0 1\nv 0 200 0 0 1 0 1\n" + kT);
-    good("v 0 0 0 300 -5 2\nv 200 0 0\nv 0 200 0\n" + kT);            // colours out of range
+    good("v 0 0 0 300 -5 2\nv 200 0 0\nv 0 200 0\n" + kT);  // colours out of range
     good("v 0 0 0\nv 200 0 0\nv 0 200 0\nf -3 -2 -1\n");
     good("v 0 0 0\nv 200 \\\n0 0\nv 0 200 0\nf 1 \\\r\n2 \\\n3\n");
     good(kV + "f 1 2 3 # a comment\n# f 9 9 9\n");
@@ -89,14 +89,14 @@ void add_obj(std::vector<OddFile>& files) {
     good(kV + "f 1/ 2/ 3/\n");
     good(kV + "usemtl\nusemtl a b c\ng\no\ns off\nmtllib\nmtllib no such.mtl\n" + kT);
     good(kV + "l 1 2\np 1\ncurv2 1 2\nxyzzy\n" + kT);
-    good(kV + "f 1 2 3\nf 1 1 2\nf 2 2 2\n");                          // faces without area
-    good(kV + "f 1 2 3 1 2 3\n");                                     // a face that crosses itself
+    good(kV + "f 1 2 3\nf 1 1 2\nf 2 2 2\n");  // faces without area
+    good(kV + "f 1 2 3 1 2 3\n");              // a face that crosses itself
     good(kV + "v 200 200 0\nv 100 100 0\nf 1 2 5 4 3\n");
     good(kV + "f 1 2 3\nf 1 2 3\nf 3 2 1\n");
     good("mtllib ../../../../etc/passwd\nmtllib /etc/shadow\n" + kV + kT);
     good(kV + kT + "\\\n");
     good(kV + kT + "f 1 2 3 \\");
-    good(kV + "g \xE9\xA1\x94\xFF\xFE\n" + kT);                        // not UTF-8 in a name
+    good(kV + "g \xE9\xA1\x94\xFF\xFE\n" + kT);  // not UTF-8 in a name
     std::string fan = kV;
     std::string polygon = "f";
     for (int i = 1; i <= 3000; ++i) {
@@ -134,7 +134,7 @@ void add_obj(std::vector<OddFile>& files) {
     bad(kV + "f 1 2 99999999999\n");
     bad(kV + "f 1 2 -99999999999\n");
     bad(kV + "f 1 2 two\n");
-    bad(kV + "f 1/1 2/1 3/1\n");            // no such texture coordinate
+    bad(kV + "f 1/1 2/1 3/1\n");  // no such texture coordinate
     bad(kV + "vt 0 0\nf 1/2 2/1 3/1\n");
     bad(kV + "vt 0 0\nf 1/-2 2/1 3/1\n");
     bad(kV + "vt 0 0\nf 1/0 2/1 3/1\n");
@@ -160,17 +160,18 @@ void add_ply(std::vector<OddFile>& files) {
     const std::string little = "binary_little_endian";
     good(ply("ascii", kV3 + kF1, kBody + "3 0 1 2\n"));
     good(ply("ascii", kV3 + kF1, "0 0 0 200 0 0 0 200 0 3 0 1 2"));  // lines do not matter
-    good(ply("ascii", "comment x\nobj_info y\n" + kV3 + "comment z\n" + kF1,
-             kBody + "3 0 1 2\n"));
-    good("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\n"
-         "property float z\r\nelement face 1\r\nproperty list uchar int vertex_index\r\n"
-         "end_header\r\n0 0 0\r\n200 0 0\r\n0 200 0\r\n3 0 1 2\r\n");
+    good(ply("ascii", "comment x\nobj_info y\n" + kV3 + "comment z\n" + kF1, kBody + "3 0 1 2\n"));
+    good(
+        "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\n"
+        "property float z\r\nelement face 1\r\nproperty list uchar int vertex_index\r\n"
+        "end_header\r\n0 0 0\r\n200 0 0\r\n0 200 0\r\n3 0 1 2\r\n");
     good(ply(little, kV3 + kF1, binary_body()));
     good(ply(little, kV3 + kF1, binary_body()) + "trailing");
     good(ply("ascii",
              "element vertex 3\nproperty double z\nproperty uchar red\nproperty int y\n"
              "property float confidence\nproperty short x\nproperty uchar green\n"
-             "property uchar blue\n" + kF1,
+             "property uchar blue\n" +
+                 kF1,
              "0 1 0 9 0 2 3\n0 1 0 9 200 2 3\n0 1 200 9 0 2 3\n3 0 1 2\n"));
     good(ply("ascii", kV3 + "property list int float weights\n" + kF1,
              "0 0 0 0\n200 0 0 2 1 1\n0 200 0 1 5\n3 0 1 2\n"));
@@ -217,11 +218,13 @@ void add_ply(std::vector<OddFile>& files) {
     bad(ply("ascii", "property float x\n" + kV3 + kF1, kBody + "3 0 1 2\n"));
     bad(ply("ascii", "element vertex 3\nproperty float x\nproperty float y\n" + kF1,
             "0 0\n200 0\n0 200\n3 0 1 2\n"));
-    bad(ply("ascii", "element vertex 3\nproperty quaternion x\nproperty float y\nproperty float z\n" +
-                         kF1,
+    bad(ply("ascii",
+            "element vertex 3\nproperty quaternion x\nproperty float y\nproperty float z\n" + kF1,
             kBody + "3 0 1 2\n"));
-    bad(ply("ascii", "element vertex 3\nproperty list uchar float x\nproperty float y\n"
-                     "property float z\n" + kF1,
+    bad(ply("ascii",
+            "element vertex 3\nproperty list uchar float x\nproperty float y\n"
+            "property float z\n" +
+                kF1,
             "1 0 0 0\n1 200 0 0\n1 0 200 0\n3 0 1 2\n"));
     bad(ply("ascii", kV3 + kXyz + kF1, kBody + kBody + "3 0 1 2\n"));  // twice x
     bad(ply("ascii", kV3 + kV3 + kF1, kBody + kBody + "3 0 1 2\n"));
@@ -258,8 +261,9 @@ void add_ply(std::vector<OddFile>& files) {
             kBody + "3 0 1 7\n"));
     bad(ply("ascii", kV3 + "property float s\nproperty float t\n" + kF1,
             "0 0 0 nan 0\n200 0 0 1 0\n0 200 0 0 1\n3 0 1 2\n"));
-    bad(ply("ascii", kV3 + "element face 1\nproperty list uchar int vertex_indices\n"
-                           "property list uchar float texcoord\n",
+    bad(ply("ascii",
+            kV3 + "element face 1\nproperty list uchar int vertex_indices\n"
+                  "property list uchar float texcoord\n",
             kBody + "3 0 1 2 6 0 0 1 0 inf 1\n"));
 }
 

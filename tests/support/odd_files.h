@@ -8,7 +8,7 @@ namespace myoface::test {
 
 /// A file as somebody may send it.
 struct OddFile {
-    std::string name;   ///< with the extension that tells its format
+    std::string name;  ///< with the extension that tells its format
     std::string bytes;
     bool good = false;  ///< must be read; others must be refused with a sentence
 };

@@ -42,6 +42,7 @@ struct MeshReadReport {
 struct ReadOptions {
     std::optional<double> mm_per_unit;  ///< guessed from the size of a head when absent
     std::optional<Mat3> axes;           ///< file axes taken as ours when absent
+    bool examine = true;                ///< fill Scan::findings and make the faces look outwards
 };
 
 /// Reads OBJ, PLY, STL, glTF or GLB, told apart by content, with the materials and textures beside

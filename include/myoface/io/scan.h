@@ -62,13 +62,13 @@ struct Material {
 /// A connected part of a scan, seams joined.
 struct ScanPart {
     int triangles = 0;
-    double area = 0.0;  ///< in the file's unit, squared
+    double area = 0.0;                             ///< in the file's unit, squared
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< bounding box in the file's unit and axes
 };
 
 /// What was found wrong or odd while reading. Nothing of it is taken out of what is written back.
 struct ScanFindings {
-    int duplicate_vertices = 0;    ///< at the place of an earlier one (texture seams)
+    int duplicate_vertices = 0;  ///< at the place of an earlier one (texture seams)
     int unreferenced_vertices = 0;
     int degenerate_triangles = 0;  ///< no area or a repeated corner; take no part in computing
     int duplicate_triangles = 0;   ///< the corners of an earlier one; take no part in computing
@@ -87,8 +87,9 @@ struct Scan {
     TriangleMesh mesh;               ///< [mm], every vertex of the file in its order; faces outward
     Points file_vertices;            ///< the file's own numbers, untouched
     bool float_coordinates = false;  ///< the file holds them in single precision
-    std::vector<int> triangle_face;  ///< triangle -> face
-    std::vector<std::array<int, 3>> triangle_corner;  ///< triangle -> corners in `faces`
+    std::vector<int> triangle_face;  ///< triangle -> face; empty where all faces are triangles
+    /// Triangle -> corners in `faces`; empty where they are the faces' own in their order.
+    std::vector<std::array<int, 3>> triangle_corner;
     std::vector<int> triangle_part;  ///< triangle -> part of `findings`, -1 for unusable ones
     Polygons faces;
     Eigen::Matrix3Xf colours;   ///< 3×N in 0 … 1, or 3×0
@@ -104,6 +105,17 @@ struct Scan {
     FileFrame frame;
     FileFormat format = FileFormat::Obj;
 };
+
+inline int face_of(const Scan& scan, int triangle) {
+    return scan.triangle_face.empty() ? triangle
+                                      : scan.triangle_face[static_cast<std::size_t>(triangle)];
+}
+
+inline std::array<int, 3> corners_of(const Scan& scan, int triangle) {
+    return scan.triangle_corner.empty()
+               ? std::array<int, 3>{3 * triangle, 3 * triangle + 1, 3 * triangle + 2}
+               : scan.triangle_corner[static_cast<std::size_t>(triangle)];
+}
 
 /// Fills mesh.triangles, triangle_face and triangle_corner from `faces`: quads along the diagonal
 /// that keeps both halves upright, larger faces by clipping ears in the face's own plane.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -9,24 +10,11 @@
 #include "myoface/mesh/weld.h"
 
 namespace myoface {
-namespace {
-
-double length_of(const TriangleMesh& mesh, const std::vector<int>& loop) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        sum +=
-            (mesh.vertices.col(loop[i]) - mesh.vertices.col(loop[(i + 1) % loop.size()])).norm();
-    }
-    return sum;
-}
-
-}  // namespace
 
 void examine(Scan& scan) {
     ScanFindings& findings = scan.findings;
     const WeldedMesh welded = weld(scan.mesh);
     const TriangleMesh& mesh = welded.mesh;
-    const Adjacency adjacency(mesh);
     findings.degenerate_triangles = welded.degenerate;
     findings.duplicate_triangles = welded.duplicates;
     findings.unreferenced_vertices =
@@ -34,25 +22,25 @@ void examine(Scan& scan) {
     findings.duplicate_vertices =
         scan.mesh.vertex_count() - findings.unreferenced_vertices - mesh.vertex_count();
     const double unit = scan.frame.mm_per_unit;
-    for (const MeshEdge& edge : adjacency.edges()) {
-        findings.non_manifold_edges += edge.triangle_count > 2 ? 1 : 0;
-    }
-
-    const Orientation outward = outward_orientation(mesh, adjacency);
-    findings.inward = outward.inward;
-    findings.turned_triangles = outward.disagreeing;
-    for (std::size_t t = 0; t < outward.turn.size(); ++t) {
-        if (outward.turn[t]) {
-            const int in_scan = welded.of_triangle[t];
-            std::swap(scan.mesh.triangles(1, in_scan), scan.mesh.triangles(2, in_scan));
-            auto& corners = scan.triangle_corner[static_cast<std::size_t>(in_scan)];
-            std::swap(corners[1], corners[2]);
+    const SurfaceCheck surface = check_surface(mesh);
+    findings.non_manifold_edges = surface.non_manifold_edges;
+    findings.holes = surface.border_loops;
+    findings.longest_hole = surface.longest_border / unit;
+    findings.inward = surface.inward;
+    findings.turned_triangles = surface.disagreeing;
+    if (!surface.turn.empty() && scan.triangle_corner.empty()) {
+        for (int t = 0; t < scan.mesh.triangle_count(); ++t) {
+            scan.triangle_corner.push_back({3 * t, 3 * t + 1, 3 * t + 2});
         }
     }
-
-    const auto loops = boundary_loops(mesh, adjacency);
-    findings.holes = static_cast<int>(loops.size());
-    findings.longest_hole = loops.empty() ? 0.0 : length_of(mesh, loops[0]) / unit;
+    for (std::size_t t = 0; t < surface.turn.size(); ++t) {
+        if (surface.turn[t]) {
+            const int in_scan = welded.of_triangle[t];
+            std::swap(scan.mesh.triangles(1, in_scan), scan.mesh.triangles(2, in_scan));
+            std::swap(scan.triangle_corner[static_cast<std::size_t>(in_scan)][1],
+                      scan.triangle_corner[static_cast<std::size_t>(in_scan)][2]);
+        }
+    }
 
     const Components components = connected_components(mesh);
     std::vector<ScanPart> parts(static_cast<std::size_t>(components.count));
@@ -62,7 +50,8 @@ void examine(Scan& scan) {
     }
     const Mat3 back = scan.frame.axes.transpose() / unit;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
-        ScanPart& part = parts[static_cast<std::size_t>(components.of_vertex[mesh.triangles(0, t)])];
+        ScanPart& part =
+            parts[static_cast<std::size_t>(components.of_vertex[mesh.triangles(0, t)])];
         ++part.triangles;
         part.area += 0.5 * double_area_vector(mesh, t).norm() / (unit * unit);
         for (int c = 0; c < 3; ++c) {

@@ -104,8 +104,7 @@ public:
             body_.add(t < 0 ? 0.0F : scan.uv(0, t));
             body_.add(t < 0 ? 0.0F : 1.0F - scan.uv(1, t));  // glTF counts from the top
         }
-        attributes_["TEXCOORD_0"] =
-            add(accessor(at, kFloat, split.uv.size(), "VEC2", kVertices));
+        attributes_["TEXCOORD_0"] = add(accessor(at, kFloat, split.uv.size(), "VEC2", kVertices));
     }
 
     /// One part of the faces; `material` below 0 for none.
@@ -114,9 +113,9 @@ public:
         for (const std::uint32_t v : corners) {
             body_.add(v);
         }
-        json primitive{{"attributes", attributes_},
-                       {"indices", add(accessor(at, kUnsignedInt, corners.size(), "SCALAR",
-                                                kIndices))}};
+        json primitive{
+            {"attributes", attributes_},
+            {"indices", add(accessor(at, kUnsignedInt, corners.size(), "SCALAR", kIndices))}};
         if (material >= 0) {
             primitive["material"] = material;
         }
@@ -217,12 +216,13 @@ std::string glb_bytes(const Scan& scan, const Points& in_file) {
         builder.texture_coordinates(split, scan);
     }
     std::map<int, std::vector<std::uint32_t>> corners;  // material -> corners of its triangles
-    for (std::size_t t = 0; t < scan.triangle_corner.size(); ++t) {
-        const int face = scan.triangle_face[t];
-        std::vector<std::uint32_t>& list = corners[scan.face_material.empty()
-                                                       ? -1
-                                                       : scan.face_material[static_cast<std::size_t>(face)]];
-        for (const int c : in_file_order(scan.triangle_corner[t])) {
+    for (int t = 0; t < scan.mesh.triangle_count(); ++t) {
+        const int face = face_of(scan, t);
+        std::vector<std::uint32_t>& list =
+            corners[scan.face_material.empty()
+                        ? -1
+                        : scan.face_material[static_cast<std::size_t>(face)]];
+        for (const int c : in_file_order(corners_of(scan, t))) {
             list.push_back(split.of[static_cast<std::size_t>(c)]);
         }
     }

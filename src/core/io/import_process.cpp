@@ -75,8 +75,8 @@ public:
         std::string first = program.string();
         std::string second = file.string();
         std::array<char*, 3> arguments{first.data(), second.data(), nullptr};
-        const int failed = ::posix_spawn(&id_, program.c_str(), &actions, nullptr,
-                                         arguments.data(), environ);
+        const int failed =
+            ::posix_spawn(&id_, program.c_str(), &actions, nullptr, arguments.data(), environ);
         posix_spawn_file_actions_destroy(&actions);
         if (failed != 0) {
             id_ = -1;

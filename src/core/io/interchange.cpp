@@ -151,12 +151,12 @@ Scan decode_scan(std::string_view bytes, const std::string& name) {
         colours.data(), 3, static_cast<Eigen::Index>(colours.size() / 3));
     const auto alpha = in.block<float>();
     check(alpha.empty() || static_cast<Eigen::Index>(alpha.size()) == n);
-    scan.alpha = Eigen::Map<const Eigen::VectorXf>(alpha.data(),
-                                                   static_cast<Eigen::Index>(alpha.size()));
+    scan.alpha =
+        Eigen::Map<const Eigen::VectorXf>(alpha.data(), static_cast<Eigen::Index>(alpha.size()));
     const auto uv = in.block<float>();
     check(uv.size() % 2 == 0);
-    scan.uv = Eigen::Map<const Eigen::Matrix2Xf>(uv.data(), 2,
-                                                 static_cast<Eigen::Index>(uv.size() / 2));
+    scan.uv =
+        Eigen::Map<const Eigen::Matrix2Xf>(uv.data(), 2, static_cast<Eigen::Index>(uv.size() / 2));
     if (!scan.colours.allFinite() || !scan.alpha.allFinite() || !scan.uv.allFinite()) {
         throw IoError(name + ": a colour or texture coordinate is not a finite number.");
     }

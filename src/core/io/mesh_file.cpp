@@ -108,7 +108,9 @@ void finish(Scan& scan, const std::string& name, const ReadOptions& options,
     frame.mm_per_unit = options.mm_per_unit.value_or(guess_unit(scan.mesh.vertices));
     frame.axes = options.axes.value_or(Mat3::Identity());
     set_frame(scan, frame);
-    examine(scan);
+    if (options.examine) {
+        examine(scan);
+    }
     report(1.0);
 }
 
@@ -182,8 +184,7 @@ Scan read_mesh_bytes(std::string_view content, const std::string& name, const Re
         throw IoError(name + ": does not begin with 'ply', this is not a PLY file.");
     } else if (looks_like_gltf(content, extension)) {
         const TemporaryFolder folder;
-        const auto file =
-            folder.path / (content.substr(0, 4) == "glTF" ? "scan.glb" : "scan.gltf");
+        const auto file = folder.path / (content.substr(0, 4) == "glTF" ? "scan.glb" : "scan.gltf");
         write_file(file, content);
         try {
             read_gltf(file, scan, progress);
@@ -194,8 +195,7 @@ Scan read_mesh_bytes(std::string_view content, const std::string& name, const Re
         }
     } else if (looks_like_stl(content, extension)) {
         read_stl(content, name, scan, progress);
-    } else if (extension == ".obj" ||
-               content.substr(0, 512).find('\0') == std::string_view::npos) {
+    } else if (extension == ".obj" || content.substr(0, 512).find('\0') == std::string_view::npos) {
         scan.format = FileFormat::Obj;
         read_obj(content, name, scan, progress);
     } else {
@@ -270,38 +270,36 @@ MeshReadReport describe(const Scan& scan) {
     report.size_mm =
         scan.mesh.vertices.rowwise().maxCoeff() - scan.mesh.vertices.rowwise().minCoeff();
 
-    const auto note = [&](int count, const std::string& text) {
-        if (count > 0) {
-            report.notes.push_back(std::to_string(count) + " " + text);
-        }
-    };
     if (found.parts.empty()) {
         report.notes.emplace_back("No triangle has any area.");
         return report;
     }
-    note(found.duplicate_vertices,
-         "vertices repeat the place of another one (texture seams); they are joined for computing "
-         "and kept in the file.");
-    note(found.unreferenced_vertices,
-         "vertices belong to no triangle with area; they are kept in the file.");
-    note(found.degenerate_triangles,
-         "triangles without area take no part in computing; they are kept in the file.");
-    note(found.duplicate_triangles,
-         "triangles repeat another one and take no part in computing; they are kept in the file.");
-    note(found.turned_triangles,
-         "triangles were wound against their neighbours and are turned over for computing.");
+    const auto note = [&](std::size_t count, const std::string& what, const std::string& done) {
+        if (count > 0) {
+            report.notes.push_back(what + ": " + std::to_string(count) + ". " + done);
+        }
+    };
+    const auto some = [&](int count, const char* what, const char* done) {
+        note(static_cast<std::size_t>(count), what, done);
+    };
+    some(found.duplicate_vertices, "Vertices at the place of another one (texture seams)",
+         "Joined for computing, kept in the file.");
+    some(found.unreferenced_vertices, "Vertices of no triangle with area", "Kept in the file.");
+    some(found.degenerate_triangles, "Triangles without area",
+         "Left out of computing, kept in the file.");
+    some(found.duplicate_triangles, "Triangles that repeat another one",
+         "Left out of computing, kept in the file.");
+    some(found.turned_triangles, "Triangles wound against their neighbours",
+         "Turned over for computing, kept in the file as they came.");
     if (found.inward) {
-        report.notes.emplace_back("The faces look inwards; they are turned over for computing.");
+        report.notes.emplace_back(
+            "The faces look inwards. Turned over for computing, kept in the file as they came.");
     }
-    note(found.non_manifold_edges, "edges are shared by more than two triangles.");
-    if (found.parts.size() > 1) {
-        note(static_cast<int>(found.parts.size()) - 1,
-             "loose parts lie beside the largest one; the face is fitted to the part that holds "
-             "it, the others are shown and kept.");
-    }
-    note(found.other_statements,
-         "entries that are neither vertices nor faces (points, lines, extra elements) are not "
-         "kept.");
+    some(found.non_manifold_edges, "Edges of more than two triangles", "Left as they are.");
+    note(found.parts.size() - 1, "Loose parts beside the largest one",
+         "The face is fitted to the part that holds it; the others are shown and kept.");
+    some(found.other_statements, "Entries that are neither vertices nor faces",
+         "They are not kept in what is written.");
     for (const Texture& texture : scan.textures) {
         if (texture.bytes.empty()) {
             report.notes.push_back("The texture " + texture.name + " is not beside the file.");

@@ -38,9 +38,9 @@ inline bool is_usable(double x) {
 ///        ten up to 10^22 need one exact multiplication or division; the rest goes to from_chars.
 /// @cite clinger_1990
 inline const char* read_number(const char* at, const char* end, double& value) {
-    static constexpr std::array<double, 23> kPowers{
-        1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-        1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    static constexpr std::array<double, 23> kPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     const char* p = at;
     bool negative = false;
     if (p != end && (*p == '-' || *p == '+')) {

@@ -77,14 +77,14 @@ private:
 
     PlyType type_named(std::string_view name) const {
         static const std::map<std::string_view, PlyType> kTypes{
-            {"char", PlyType::Int8},       {"int8", PlyType::Int8},
-            {"uchar", PlyType::Uint8},     {"uint8", PlyType::Uint8},
-            {"short", PlyType::Int16},     {"int16", PlyType::Int16},
-            {"ushort", PlyType::Uint16},   {"uint16", PlyType::Uint16},
-            {"int", PlyType::Int32},       {"int32", PlyType::Int32},
-            {"uint", PlyType::Uint32},     {"uint32", PlyType::Uint32},
-            {"float", PlyType::Float32},   {"float32", PlyType::Float32},
-            {"double", PlyType::Float64},  {"float64", PlyType::Float64}};
+            {"char", PlyType::Int8},      {"int8", PlyType::Int8},
+            {"uchar", PlyType::Uint8},    {"uint8", PlyType::Uint8},
+            {"short", PlyType::Int16},    {"int16", PlyType::Int16},
+            {"ushort", PlyType::Uint16},  {"uint16", PlyType::Uint16},
+            {"int", PlyType::Int32},      {"int32", PlyType::Int32},
+            {"uint", PlyType::Uint32},    {"uint32", PlyType::Uint32},
+            {"float", PlyType::Float32},  {"float32", PlyType::Float32},
+            {"double", PlyType::Float64}, {"float64", PlyType::Float64}};
         const auto found = kTypes.find(name);
         if (found == kTypes.end()) {
             fail("the PLY header names the unknown type " + shown(name) + ".");

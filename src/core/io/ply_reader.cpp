@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -51,14 +52,26 @@ double load(const char* at, PlyType type, bool swap) {
 enum Slot { kX, kY, kZ, kRed, kGreen, kBlue, kAlpha, kU, kV, kSlots, kNowhere = -1 };
 
 Slot slot_of(const PlyProperty& property) {
-    static const std::map<std::string_view, Slot> kNames{
-        {"x", kX},           {"y", kY},          {"z", kZ},
-        {"red", kRed},       {"green", kGreen},  {"blue", kBlue},
-        {"alpha", kAlpha},   {"r", kRed},        {"g", kGreen},
-        {"b", kBlue},        {"a", kAlpha},      {"diffuse_red", kRed},
-        {"diffuse_green", kGreen}, {"diffuse_blue", kBlue}, {"s", kU},
-        {"t", kV},           {"u", kU},          {"v", kV},
-        {"texture_u", kU},   {"texture_v", kV}};
+    static const std::map<std::string_view, Slot> kNames{{"x", kX},
+                                                         {"y", kY},
+                                                         {"z", kZ},
+                                                         {"red", kRed},
+                                                         {"green", kGreen},
+                                                         {"blue", kBlue},
+                                                         {"alpha", kAlpha},
+                                                         {"r", kRed},
+                                                         {"g", kGreen},
+                                                         {"b", kBlue},
+                                                         {"a", kAlpha},
+                                                         {"diffuse_red", kRed},
+                                                         {"diffuse_green", kGreen},
+                                                         {"diffuse_blue", kBlue},
+                                                         {"s", kU},
+                                                         {"t", kV},
+                                                         {"u", kU},
+                                                         {"v", kV},
+                                                         {"texture_u", kU},
+                                                         {"texture_v", kV}};
     const auto found = kNames.find(property.name);
     return found == kNames.end() || property.is_list ? kNowhere : found->second;
 }
@@ -75,6 +88,9 @@ public:
         ascii_ = header.format == FileFormat::PlyAscii;
         swap_ = !ascii_ && (header.format == FileFormat::PlyBinaryBig) !=
                                (std::endian::native == std::endian::big);
+        for (const PlyElement& element : header.elements) {
+            wedge_limit_ = element.name == "vertex" ? element.count : wedge_limit_;
+        }
         for (const PlyElement& element : header.elements) {
             if (element.name == "vertex") {
                 vertices(element);
@@ -135,7 +151,8 @@ private:
         const double count = value(element, i, property.count_type);
         const double left = static_cast<double>(bytes_.size() - at_) + 1.0;
         const auto least = static_cast<double>(ascii_ ? 1 : size_of(property.type));
-        if (!std::isfinite(count) || count < 0.0 || count != std::floor(count) || count * least > left) {
+        if (!std::isfinite(count) || count < 0.0 || count != std::floor(count) ||
+            count * least > left) {
             fail_at(element, i, "a list has an impossible length.");
         }
         return static_cast<std::size_t>(count);
@@ -201,9 +218,9 @@ private:
         if (has[kU] && has[kV]) {
             scan_.uv.resize(2, n);
         }
-        const bool fixed = !ascii_ && std::none_of(element.properties.begin(),
-                                                   element.properties.end(),
-                                                   [](const auto& p) { return p.is_list; });
+        const bool fixed =
+            !ascii_ && std::none_of(element.properties.begin(), element.properties.end(),
+                                    [](const auto& p) { return p.is_list; });
         if (fixed) {
             fixed_vertices(element, slots);
             return;
@@ -245,7 +262,8 @@ private:
                 const char* const at = bytes_.data() + at_ + static_cast<std::size_t>(i) * stride;
                 for (std::size_t p = 0; p < slots.size(); ++p) {
                     if (slots[p] != kNowhere &&
-                        !put(slots[p], i, load(at + offset[p], element.properties[p].type, swap_)) &&
+                        !put(slots[p], i,
+                             load(at + offset[p], element.properties[p].type, swap_)) &&
                         first_bad < 0) {
                         first_bad = i;
                     }
@@ -281,7 +299,78 @@ private:
         return true;
     }
 
+    /// Binary faces that all have as many corners as the first one and nothing else in lists are
+    /// read side by side. @return false with nothing done for others
+    bool fixed_faces(const PlyElement& element) {
+        std::size_t before = 0;
+        std::size_t after = 0;
+        const PlyProperty* list = nullptr;
+        for (const PlyProperty& property : element.properties) {
+            if (property.is_list) {
+                const bool plain =
+                    list == nullptr && size_of(property.count_type) == 1 &&
+                    (property.type == PlyType::Int32 || property.type == PlyType::Uint32) &&
+                    is_vertex_list(property);
+                if (!plain) {
+                    return false;
+                }
+                list = &property;
+            } else if (property.name == "texnumber") {
+                return false;
+            } else {
+                (list == nullptr ? before : after) += size_of(property.type);
+            }
+        }
+        const std::size_t left = bytes_.size() - at_;
+        if (ascii_ || list == nullptr || element.count == 0 || left <= before) {
+            return false;
+        }
+        const char* const first = bytes_.data() + at_ + before;
+        const char corners = *first;
+        const std::size_t stride = before + 1 + 4 * static_cast<std::size_t>(corners) + after;
+        if (corners < 3 || element.count > left / stride ||
+            element.count * static_cast<std::size_t>(corners) > 500'000'000) {
+            return false;
+        }
+        const auto count = static_cast<int>(element.count);
+        scan_.faces.vertex.resize(element.count * static_cast<std::size_t>(corners));
+        scan_.faces.start.resize(element.count + 1);
+        std::atomic<bool> alike = true;
+        report(0);
+        parallel_for(count, 65536, [&](int begin, int end) {
+            for (int f = begin; f < end; ++f) {
+                const char* at = first + static_cast<std::size_t>(f) * stride;
+                scan_.faces.start[static_cast<std::size_t>(f) + 1] = (f + 1) * corners;
+                bool good = *at++ == corners;
+                for (int c = f * corners; c < (f + 1) * corners; ++c, at += 4) {
+                    std::uint32_t v = 0;
+                    std::memcpy(&v, at, 4);
+                    v = swap_ ? __builtin_bswap32(v) : v;
+                    good = good && v < 2147483647U;
+                    scan_.faces.vertex[static_cast<std::size_t>(c)] = static_cast<int>(v);
+                }
+                if (!good) {
+                    alike = false;
+                    return;
+                }
+            }
+        });
+        if (!alike) {
+            scan_.faces = {};
+            return false;
+        }
+        at_ += element.count * stride;
+        return true;
+    }
+
+    static bool is_vertex_list(const PlyProperty& property) {
+        return property.name == "vertex_indices" || property.name == "vertex_index";
+    }
+
     void faces(const PlyElement& element) {
+        if (scan_.faces.count() == 0 && fixed_faces(element)) {
+            return;
+        }
         scan_.faces.start.reserve(element.count + 1);
         scan_.faces.vertex.reserve(3 * element.count);
         std::vector<double> corner_uv;
@@ -294,13 +383,15 @@ private:
                 if (!property.is_list) {
                     const double number = value(element, i, property.type);
                     if (property.name == "texnumber") {
-                        texture_numbers.push_back(
-                            std::isfinite(number) && number >= 0.0 && number < 1e6 ? static_cast<int>(number) : -1);
+                        texture_numbers.push_back(std::isfinite(number) && number >= 0.0 &&
+                                                          number < 1e6
+                                                      ? static_cast<int>(number)
+                                                      : -1);
                     }
                     continue;
                 }
                 const std::size_t count = list_size(element, i, property);
-                if (property.name == "vertex_indices" || property.name == "vertex_index") {
+                if (is_vertex_list(property)) {
                     for (std::size_t k = 0; k < count; ++k) {
                         scan_.faces.vertex.push_back(vertex_number(element, i, property.type));
                     }
@@ -386,10 +477,35 @@ private:
             if (!is_usable(corner_uv[2 * k]) || !is_usable(corner_uv[2 * k + 1])) {
                 fail_at(element, i, "a texture coordinate is not a finite number.");
             }
-            scan_.faces.uv.push_back(static_cast<int>(wedge_uv_.size() / 2));
-            wedge_uv_.push_back(static_cast<float>(corner_uv[2 * k]));
-            wedge_uv_.push_back(static_cast<float>(corner_uv[2 * k + 1]));
+            scan_.faces.uv.push_back(wedge(
+                scan_.faces.vertex[scan_.faces.vertex.size() - corners + k],
+                static_cast<float>(corner_uv[2 * k]), static_cast<float>(corner_uv[2 * k + 1])));
         }
+    }
+
+    /// Number of a vertex' texture coordinate: corners that agree share one.
+    int wedge(int vertex, float u, float v) {
+        const auto at = static_cast<std::size_t>(vertex);
+        if (first_wedge_.size() <= at) {
+            if (vertex >= static_cast<int>(wedge_limit_)) {
+                return add_wedge(u, v, -1);  // no such vertex: refused later
+            }
+            first_wedge_.resize(wedge_limit_, -1);
+        }
+        for (int t = first_wedge_[at]; t >= 0; t = next_wedge_[static_cast<std::size_t>(t)]) {
+            if (wedge_uv_[2 * static_cast<std::size_t>(t)] == u &&
+                wedge_uv_[2 * static_cast<std::size_t>(t) + 1] == v) {
+                return t;
+            }
+        }
+        return first_wedge_[at] = add_wedge(u, v, first_wedge_[at]);
+    }
+
+    int add_wedge(float u, float v, int next) {
+        wedge_uv_.push_back(u);
+        wedge_uv_.push_back(v);
+        next_wedge_.push_back(next);
+        return static_cast<int>(next_wedge_.size()) - 1;
     }
 
     void finish() {
@@ -448,6 +564,8 @@ private:
     bool swap_ = false;
     double colour_scale_ = 1.0;
     std::vector<float> wedge_uv_;
+    std::vector<int> first_wedge_, next_wedge_;  ///< lists of the coordinates of each vertex
+    std::size_t wedge_limit_ = 0;                ///< vertices that the header promises
 };
 
 }  // namespace

@@ -54,8 +54,8 @@ std::string ply_bytes(const Scan& scan, const Points& in_file) {
     // Colours of an OBJ file are bytes in what other programs expect of a PLY file.
     const bool bytes = scan.byte_colours || scan.format == FileFormat::Obj;
     const bool uv = !scan.faces.uv.empty();
-    const bool uv_per_vertex = uv && scan.uv.cols() == in_file.cols() &&
-                               scan.faces.uv == scan.faces.vertex;
+    const bool uv_per_vertex =
+        uv && scan.uv.cols() == in_file.cols() && scan.faces.uv == scan.faces.vertex;
     const bool several_textures = scan.textures.size() > 1 && !scan.face_material.empty();
     std::string head = "ply\nformat ";
     head += ascii ? "ascii" : big ? "binary_big_endian" : "binary_little_endian";
@@ -82,9 +82,11 @@ std::string ply_bytes(const Scan& scan, const Points& in_file) {
         largest = std::max(largest, scan.faces.size(f));
     }
     const bool short_lists = largest <= 127;
-    head += std::string("property list ") + (short_lists ? "uchar" : "int") + " int vertex_indices\n";
+    head +=
+        std::string("property list ") + (short_lists ? "uchar" : "int") + " int vertex_indices\n";
     if (uv && !uv_per_vertex) {
-        head += std::string("property list ") + (short_lists ? "uchar" : "int") + " float texcoord\n";
+        head +=
+            std::string("property list ") + (short_lists ? "uchar" : "int") + " float texcoord\n";
     }
     if (several_textures) {
         head += "property int texnumber\n";

@@ -93,8 +93,7 @@ public:
         scan_.mesh.vertices.resize(3, static_cast<Eigen::Index>(points.size()));
         for (std::size_t v = 0; v < points.size(); ++v) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                scan_.mesh.vertices(static_cast<Eigen::Index>(axis),
-                                    static_cast<Eigen::Index>(v)) =
+                scan_.mesh.vertices(static_cast<Eigen::Index>(axis), static_cast<Eigen::Index>(v)) =
                     static_cast<double>(points[v][axis]);
             }
         }

@@ -8,7 +8,7 @@ namespace myoface {
 std::string stl_bytes(const Scan& scan, const Points& in_file) {
     const bool ascii = scan.format == FileFormat::StlAscii;
     const Eigen::Matrix3Xf points = in_file.cast<float>();
-    const auto triangles = static_cast<Eigen::Index>(scan.triangle_corner.size());
+    const auto triangles = scan.mesh.triangle_count();
     ByteWriter bytes(false);
     const auto number = [&](float value) {
         if (!ascii) {
@@ -27,9 +27,8 @@ std::string stl_bytes(const Scan& scan, const Points& in_file) {
         bytes.text.resize(80, ' ');
         bytes.add(static_cast<std::uint32_t>(triangles));
     }
-    for (Eigen::Index t = 0; t < triangles; ++t) {
-        const std::array<int, 3> corners =
-            in_file_order(scan.triangle_corner[static_cast<std::size_t>(t)]);
+    for (int t = 0; t < triangles; ++t) {
+        const std::array<int, 3> corners = in_file_order(corners_of(scan, t));
         std::array<Eigen::Vector3f, 3> p;
         for (std::size_t c = 0; c < 3; ++c) {
             p[c] = points.col(scan.faces.vertex[static_cast<std::size_t>(corners[c])]);

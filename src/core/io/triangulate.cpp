@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "myoface/base/parallel.h"
 #include "myoface/io/scan.h"
 
 namespace myoface {
@@ -91,6 +92,15 @@ void triangulate(Scan& scan) {
     const Polygons& faces = scan.faces;
     const std::size_t triangles = faces.vertex.size() - 2 * static_cast<std::size_t>(faces.count());
     scan.mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles));
+    scan.triangle_face.clear();
+    scan.triangle_corner.clear();
+    if (triangles == static_cast<std::size_t>(faces.count())) {
+        parallel_for(faces.count(), 65536, [&](int begin, int end) {
+            std::copy(faces.vertex.begin() + 3 * begin, faces.vertex.begin() + 3 * end,
+                      scan.mesh.triangles.data() + 3 * begin);
+        });
+        return;
+    }
     scan.triangle_face.resize(triangles);
     scan.triangle_corner.resize(triangles);
     std::vector<int> corners;
@@ -99,8 +109,7 @@ void triangulate(Scan& scan) {
     for (int f = 0; f < faces.count(); ++f) {
         const int begin = faces.start[f];
         const auto add = [&](int a, int b, int c) {
-            scan.mesh.triangles.col(static_cast<Eigen::Index>(next))
-                << faces.vertex[begin + a],
+            scan.mesh.triangles.col(static_cast<Eigen::Index>(next)) << faces.vertex[begin + a],
                 faces.vertex[begin + b], faces.vertex[begin + c];
             scan.triangle_face[next] = f;
             scan.triangle_corner[next] = {begin + a, begin + b, begin + c};
@@ -120,8 +129,15 @@ void triangulate(Scan& scan) {
 void set_frame(Scan& scan, const FileFrame& frame) {
     const Mat3 change =
         frame.mm_per_unit / scan.frame.mm_per_unit * frame.axes * scan.frame.axes.transpose();
-    scan.mesh.vertices = (change * scan.mesh.vertices).eval();
     scan.frame = frame;
+    if (change == Mat3::Identity()) {
+        return;
+    }
+    parallel_for(scan.mesh.vertex_count(), 65536, [&](int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            scan.mesh.vertices.col(v) = change * Vec3(scan.mesh.vertices.col(v));
+        }
+    });
 }
 
 }  // namespace myoface

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <queue>
 #include <tuple>
 #include <vector>
+
+#include <queue>
 
 #include "myoface/base/parallel.h"
 #include "myoface/mesh/adjacency.h"

@@ -20,8 +20,9 @@ SkinDrawing::SkinDrawing(const Scan& scan) {
         source_[v] = v;
     }
     std::map<std::pair<int, int>, int> more;
-    for (const auto& corners : scan.triangle_corner) {
-        for (const int c : corners) {
+    indices_.reserve(3 * static_cast<std::size_t>(scan.mesh.triangle_count()));
+    for (int triangle = 0; triangle < scan.mesh.triangle_count(); ++triangle) {
+        for (const int c : corners_of(scan, triangle)) {
             const int v = scan.faces.vertex[c];
             const int t = uv ? scan.faces.uv[c] : -1;
             int drawn = v;
