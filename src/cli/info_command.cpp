@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <nlohmann/json.hpp>
@@ -8,6 +10,24 @@
 #include "output.h"
 
 namespace myoface::cli {
+
+namespace {
+
+/// The largest parts: how many triangles, how large and where.
+nlohmann::ordered_json parts_of(const MeshReadReport& report) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    constexpr std::size_t kMost = 50;
+    for (std::size_t k = 0; k < std::min(report.findings.parts.size(), kMost); ++k) {
+        const ScanPart& part = report.findings.parts[k];
+        const Vec3 size = report.mm_per_unit * (part.high - part.low);
+        list.push_back({{"triangles", part.triangles},
+                        {"area_mm2", part.area * report.mm_per_unit * report.mm_per_unit},
+                        {"size_mm", {size.x(), size.y(), size.z()}}});
+    }
+    return list;
+}
+
+}  // namespace
 
 void add_info(CLI::App& app) {
     auto* command = app.add_subcommand("info", "Tell what is in a face file, as JSON");
@@ -29,9 +49,14 @@ void add_info(CLI::App& app) {
         json["unit"] = r.unit;
         json["mm_per_unit"] = r.mm_per_unit;
         json["unit_is_guess"] = r.unit_is_guess;
+        json["axes"] = r.axes;
+        json["axes_are_guess"] = r.axes_are_guess;
+        json["frame_confidence"] = std::round(100.0 * r.frame_confidence) / 100.0;
+        json["needs_calibration"] = r.needs_calibration;
         json["size_mm"] = {r.size_mm.x(), r.size_mm.y(), r.size_mm.z()};
         const ScanFindings& found = r.findings;
         json["components"] = found.parts.size();
+        json["parts"] = parts_of(r);
         json["boundary_loops"] = found.holes;
         json["longest_boundary_mm"] = r.longest_hole_mm;
         json["duplicate_vertices"] = found.duplicate_vertices;

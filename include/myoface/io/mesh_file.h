@@ -90,6 +90,8 @@ std::string unit_name(double mm_per_unit);
 /// (nothing to do) or "+x-z+y" (file's y is our -z, its z our +y).
 /// @throws InvalidInput unless it is a rotation
 Mat3 axes_from_text(const std::string& text);
+/// The one of the 24 quarter turns that is nearest to a rotation.
+Mat3 nearest_quarter_turn(const Mat3& rotation);
 /// The way back; the nearest such text for a turn that is no quarter turn.
 std::string axes_to_text(const Mat3& axes);
 

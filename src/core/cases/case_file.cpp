@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "myoface/base/error.h"
+#include "myoface/face/face_search.h"
 #include "myoface/face/generic_face.h"
 #include "myoface/io/text_file.h"
 
@@ -184,6 +185,45 @@ std::optional<fs::path> landmarks_beside(const fs::path& file) {
     return std::nullopt;
 }
 
+/// Looks for the face and takes unit and axes from it where they are not given; a face that is not
+/// found leaves what the size of the scan implies.
+std::optional<FrameGuess> settle_frame(Scan& scan, const OpenOptions& options,
+                                       const Progress* progress) {
+    const std::optional<FacePose> pose = find_face(scan.mesh, progress);
+    if (!pose || confidence_of(*pose) <= 0.0) {
+        return std::nullopt;
+    }
+    FrameGuess guess = guess_frame(scan, *pose);
+    set_frame(scan, {options.mm_per_unit.value_or(guess.frame.mm_per_unit),
+                     options.axes.value_or(guess.frame.axes)});
+    return guess;
+}
+
+/// Says how unit and axes came about and how sure they are.
+void report_frame(MeshReadReport& report, const std::optional<FrameGuess>& guess,
+                  const std::optional<LandmarkFile>& landmarks, const OpenOptions& options) {
+    report.unit_is_guess = !options.mm_per_unit && !(landmarks && landmarks->mm_per_unit);
+    report.axes_are_guess = !options.axes && !landmarks;
+    const double found = guess ? guess->confidence : 0.0;
+    report.frame_confidence =
+        report.unit_is_guess || report.axes_are_guess ? (landmarks ? 0.95 : found) : 1.0;
+    report.needs_calibration = report.unit == "other" && !options.mm_per_unit;
+    if (report.needs_calibration) {
+        report.notes.emplace_back(
+            report.unit_is_guess
+                ? "The unit is none of m, dm, cm, mm and in: the size of an average face was taken, "
+                  "which may be off by a tenth. Calibrate it with a known distance."
+                : "The unit is none of m, dm, cm, mm and in: the size is what the landmark file "
+                  "says. Check it with a known distance.");
+    }
+    if (report.frame_confidence < 0.5 && (report.unit_is_guess || report.axes_are_guess)) {
+        report.notes.emplace_back(
+            guess ? "Whether this is a face, and which way it looks, is not sure: check unit and "
+                    "axes."
+                  : "No face was found by its shape: unit and axes are taken from the size alone.");
+    }
+}
+
 OpenedFace open_generic() {
     GenericFace generic = make_generic_face();
     OpenedFace face;
@@ -229,13 +269,12 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     } else {
         face.scan_bytes = read_file(file);
     }
+    const std::optional<FrameGuess> guess =
+        landmarks || (options.mm_per_unit && options.axes)
+            ? std::nullopt
+            : settle_frame(*scan, options, progress);
     face.report = describe(*scan);
-    face.report.unit_is_guess = !landmarks && !options.mm_per_unit;
-    face.report.axes_are_guess = !landmarks && !options.axes;
-    if (face.report.unit_is_guess && face.report.unit == "other") {
-        face.report.notes.emplace_back(
-            "The unit is not a usual one: give it with --unit, or landmarks that carry one.");
-    }
+    report_frame(face.report, guess, landmarks, options);
     std::string note;
     face.texture = load_texture(*scan, &note);
     if (!note.empty()) {

@@ -262,22 +262,7 @@ FileFrame frame_from_landmarks(const LandmarkFile& file, std::optional<double> m
         frame.axes = *axes;
         return frame;
     }
-    // The quarter turn that agrees best with the pose.
-    double best = -10.0;
-    for (int code = 0; code < 6 * 8; ++code) {
-        static constexpr std::array<std::array<int, 3>, 6> kOrders{
-            {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
-        Mat3 turn = Mat3::Zero();
-        for (int row = 0; row < 3; ++row) {
-            turn(row, kOrders[static_cast<std::size_t>(code / 8)][static_cast<std::size_t>(row)]) =
-                (code >> row & 1) != 0 ? -1.0 : 1.0;
-        }
-        const double agreement = (turn.transpose() * to_generic.rotation).trace();
-        if (turn.determinant() > 0.0 && agreement > best) {
-            best = agreement;
-            frame.axes = turn;
-        }
-    }
+    frame.axes = nearest_quarter_turn(to_generic.rotation);
     return frame;
 }
 

@@ -377,12 +377,15 @@ Vec3 HeadField::onto_surface(const Vec3& p, bool keep_x) const {
 }
 
 Vec3 HeadField::front_point(double x, double y) const {
+    // The field is roughly a distance: half of it is a safe step.
     double z = 135.0;
-    while (z > 0.0 && (*this)({x, y, z}) > 0.0) {
-        z -= 0.5;
+    double step = 0.5;
+    for (double value = (*this)({x, y, z}); z > 0.0 && value > 0.0; value = (*this)({x, y, z})) {
+        step = std::max(0.5, 0.5 * value);
+        z -= step;
     }
     double low = z;
-    double high = z + 0.5;
+    double high = z + step;
     for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (low + high);
         ((*this)({x, y, middle}) > 0.0 ? high : low) = middle;

@@ -160,6 +160,26 @@ Mat3 axes_from_text(const std::string& text) {
     return axes;
 }
 
+Mat3 nearest_quarter_turn(const Mat3& rotation) {
+    static constexpr std::array<std::array<int, 3>, 6> kOrders{
+        {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+    Mat3 best = Mat3::Identity();
+    double agreement = -10.0;
+    for (int code = 0; code < 6 * 8; ++code) {
+        const auto& order = kOrders[static_cast<std::size_t>(code / 8)];
+        Mat3 turn = Mat3::Zero();
+        for (int row = 0; row < 3; ++row) {
+            turn(row, order[static_cast<std::size_t>(row)]) = (code >> row & 1) != 0 ? -1.0 : 1.0;
+        }
+        const double now = (turn.transpose() * rotation).trace();
+        if (turn.determinant() > 0.0 && now > agreement) {
+            agreement = now;
+            best = turn;
+        }
+    }
+    return best;
+}
+
 std::string axes_to_text(const Mat3& axes) {
     std::string text;
     for (int column = 0; column < 3; ++column) {
