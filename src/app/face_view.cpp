@@ -221,6 +221,9 @@ void FaceView::wheelEvent(QWheelEvent* event) {
 }
 
 void FaceView::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && m_pickMode) {
+        Q_EMIT pickCancelled();
+    }
     if (event->key() == Qt::Key_Escape && m_action == Action::Grip) {
         m_action = Action::None;
         updateCursor(false);

@@ -50,6 +50,7 @@ Q_SIGNALS:
     void pulled(const myoface::ViewRay& ray);
     void released(bool keep);
     void picked(const myoface::Vec3& point);
+    void pickCancelled();
     void hovered(const QString& what, bool onSkin);
     void drawingFailed(const QString& sentence);
     void beforeHeld(bool held);

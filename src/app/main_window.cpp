@@ -8,6 +8,7 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -23,6 +24,7 @@
 #include "layer_panel.h"
 #include "muscle_panel.h"
 #include "open_job.h"
+#include "scan_frame_editor.h"
 #include "scan_panel.h"
 
 namespace myoface {
@@ -81,6 +83,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     buildDocks();
     buildActions();
     connectView();
+    connectFrameEditor();
 
     connect(&m_document, &FaceDocument::rateChanged, this, [this](int muscle, double rate) {
         m_muscles->setRate(muscle, rate);
@@ -303,9 +306,66 @@ void MainWindow::connectView() {
         const bool shape = m_view->tool() == Tool::Shape;
         inWorker([keep, shape](SimulationWorker& w) { w.endDrag(keep && shape); });
     });
-    connect(m_view, &FaceView::picked, this, [this](const Vec3& point) { m_guide->place(point); });
+    connect(m_view, &FaceView::picked, this, [this](const Vec3& point) {
+        if (m_frameEditor->calibrating()) {
+            m_frameEditor->place(point);
+        } else {
+            m_guide->place(point);
+        }
+    });
+    connect(m_view, &FaceView::pickCancelled, this, [this] {
+        if (m_frameEditor->calibrating()) {
+            m_frameEditor->cancelCalibration();
+            endPicking();
+        }
+    });
     connect(m_view, &FaceView::beforeHeld, this, &MainWindow::showBefore);
     connect(m_view, &FaceView::drawingFailed, this, &MainWindow::complain);
+}
+
+void MainWindow::connectFrameEditor() {
+    m_frameEditor = new ScanFrameEditor(this);
+    connect(m_scanPanel, &ScanPanel::unitEdited, m_frameEditor, &ScanFrameEditor::setUnit);
+    connect(m_scanPanel, &ScanPanel::turnAsked, m_frameEditor, &ScanFrameEditor::turnQuarter);
+    connect(m_scanPanel, &ScanPanel::calibrationAsked, m_frameEditor,
+            &ScanFrameEditor::beginCalibration);
+    connect(m_frameEditor, &ScanFrameEditor::asked, this, [this](const QString& instruction) {
+        m_view->setPickMode(true);
+        m_view->setFocus();
+        statusBar()->showMessage(instruction);
+    });
+    connect(m_frameEditor, &ScanFrameEditor::distanceNeeded, this, &MainWindow::askDistance);
+    connect(m_frameEditor, &ScanFrameEditor::reopenWanted, this, &MainWindow::reopen);
+}
+
+void MainWindow::endPicking() {
+    m_view->setPickMode(m_guide->active());
+    statusBar()->clearMessage();
+}
+
+void MainWindow::askDistance(double measured) {
+    endPicking();
+    bool accepted = false;
+    const double mm = QInputDialog::getDouble(
+        this, tr("Calibrate"),
+        tr("The two points are %1 mm apart as the scan is understood now.\nTheir true distance in "
+           "mm (the iris is about 11.7 mm wide):")
+            .arg(measured, 0, 'f', 1),
+        measured, 0.1, 2000.0, 2, &accepted);
+    if (accepted) {
+        m_frameEditor->calibrate(mm);
+    }
+}
+
+void MainWindow::reopen(const OpenOptions& options) {
+    if (!m_document.undoStack()->isClean() &&
+        QMessageBox::question(this, tr("Change unit or axes"),
+                              tr("The face is fitted anew, which ends the changes made to its "
+                                 "shape and muscles. Go on?")) != QMessageBox::Yes) {
+        m_scanPanel->setFace(*m_document.opened(), m_document.model().get(), m_springs);
+        return;
+    }
+    startJob(m_path, options);
 }
 
 void MainWindow::openPath(const QString& path) {
@@ -344,6 +404,7 @@ void MainWindow::jobFinished() {
 
 void MainWindow::showFace(OpenResult& result) {
     const OpenedFace& face = *result.opened;
+    m_frameEditor->setFace(result.opened);
     m_view->setScene(nullptr);
     m_scene = std::make_unique<FaceScene>(face.scan, face.texture);
     m_shown.reset();
@@ -361,13 +422,14 @@ void MainWindow::showFace(OpenResult& result) {
         m_view->setSkin(model->skin.mesh);
         m_view->setPickMode(false);
         m_guide->hide();
-        m_scanPanel->setFace(face, model.get(),
-                             static_cast<int>(result.simulator->system().model.springs.size()));
+        m_springs = static_cast<int>(result.simulator->system().model.springs.size());
+        m_scanPanel->setFace(face, model.get(), m_springs);
         auto holder = std::make_shared<std::unique_ptr<Simulator>>(std::move(result.simulator));
         inWorker([holder](SimulationWorker& w) { w.setSimulator(std::move(*holder)); });
     } else {
         m_document.setFace(result.opened, nullptr, {}, {});
         m_view->setSkin(face.scan->mesh);
+        m_springs = 0;
         m_scanPanel->setFace(face, nullptr, 0);
         inWorker([](SimulationWorker& w) { w.setSimulator(nullptr); });
         m_settled = true;
@@ -389,7 +451,7 @@ void MainWindow::showFace(OpenResult& result) {
 void MainWindow::chooseFile() {
     const QString path =
         QFileDialog::getOpenFileName(this, tr("Open a face"), QFileInfo(m_path).absolutePath(),
-                                     tr("Faces (*.obj *.ply *.myoface);;All files (*)"));
+                                     tr("Faces (*.obj *.ply *.stl *.glb *.gltf *.myoface);;All files (*)"));
     if (!path.isEmpty()) {
         openPath(path);
     }
@@ -427,7 +489,7 @@ void MainWindow::saveScan() {
     }
     const QString path = QFileDialog::getSaveFileName(this, tr("Export the face as it is shown"),
                                                       QFileInfo(m_path).absolutePath(),
-                                                      tr("OBJ (*.obj);;PLY (*.ply)"));
+                                                      tr("OBJ (*.obj);;PLY (*.ply);;GLB (*.glb);;STL (*.stl)"));
     if (path.isEmpty()) {
         return;
     }

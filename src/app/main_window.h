@@ -19,6 +19,7 @@ class LandmarkGuide;
 class LayerPanel;
 class MusclePanel;
 class OpenJob;
+class ScanFrameEditor;
 class ScanPanel;
 struct OpenResult;
 
@@ -57,6 +58,10 @@ private:
     void buildActions();
     void buildDocks();
     void connectView();
+    void connectFrameEditor();
+    void endPicking();
+    void askDistance(double measured);
+    void reopen(const OpenOptions& options);
     void startJob(const QString& path, const struct OpenOptions& options);
     void jobFinished();
     void showFace(OpenResult& result);
@@ -84,6 +89,7 @@ private:
     MusclePanel* m_muscles = nullptr;
     LayerPanel* m_layers = nullptr;
     ScanPanel* m_scanPanel = nullptr;
+    ScanFrameEditor* m_frameEditor = nullptr;
     LandmarkGuide* m_guide = nullptr;
     QLabel* m_state = nullptr;
     QProgressBar* m_progress = nullptr;
@@ -94,6 +100,7 @@ private:
     SimulationWorker* m_worker = nullptr;
     std::unique_ptr<OpenJob> m_job;
     std::shared_ptr<const SimSnapshot> m_shown;
+    int m_springs = 0;  ///< of the face that is shown
     QString m_path, m_lastProblem;
     bool m_settled = true;
     bool m_before = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QComboBox>
 #include <QLabel>
 #include <QWidget>
 
@@ -8,7 +9,8 @@
 
 namespace myoface {
 
-/// What was found in the file and how it was understood.
+/// What was found in the file, what was repaired, and how unit and axes were understood, with the
+/// means to change them.
 class ScanPanel final : public QWidget {
     Q_OBJECT
 
@@ -16,8 +18,19 @@ public:
     explicit ScanPanel(QWidget* parent = nullptr);
     void setFace(const OpenedFace& face, const FaceModel* model, int springs);
 
+Q_SIGNALS:
+    void unitEdited(double mmPerUnit);
+    void turnAsked(int axis);
+    void calibrationAsked();
+
 private:
+    void buildFrameControls();
+
     QLabel* m_text = nullptr;
+    QLabel* m_frameText = nullptr;
+    QWidget* m_frame = nullptr;
+    QComboBox* m_unit = nullptr;
+    QLabel* m_notes = nullptr;
 };
 
 }  // namespace myoface

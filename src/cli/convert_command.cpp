@@ -4,13 +4,12 @@
 #include "myoface/io/mesh_file.h"
 
 #include "commands.h"
-#include "face_arguments.h"
 
 namespace myoface::cli {
 namespace {
 
 struct Arguments {
-    FaceArguments in;
+    std::string input;
     std::string output;
 };
 
@@ -19,11 +18,12 @@ struct Arguments {
 void add_convert(CLI::App& app) {
     auto* command = app.add_subcommand("convert", "Write a mesh in another format");
     auto a = std::make_shared<Arguments>();
-    a->in.add_to(*command);
-    command->add_option("OUT", a->output, "name that ends in .obj, .ply, .stl or .glb")->required();
+    command->add_option("IN", a->input, "OBJ, PLY, STL, glTF or GLB file")->required();
+    command->add_option("OUT", a->output, "name that ends in .obj, .ply, .stl or .glb")
+        ->required();
     command->callback([a] {
-        const OpenedFace face = a->in.open();
-        write_mesh(a->output, *face.scan, face.scan->mesh.vertices);
+        const Scan scan = read_mesh(a->input);  // unit and axes stay as they came
+        write_mesh(a->output, scan, scan.mesh.vertices);
     });
 }
 

@@ -151,11 +151,16 @@ OpenedFace open_case(const std::string& path, const OpenOptions& options,
     if (options.mm_per_unit) {
         read.mm_per_unit = options.mm_per_unit;
     }
+    if (options.axes) {
+        read.axes = options.axes;
+    }
     auto scan =
         std::make_shared<Scan>(read_mesh_bytes(face.scan_bytes, face.scan_name, read, progress));
     restore_materials(manifest, archive.handle, path, *scan);
     face.texture = load_texture(*scan);
-    if (manifest.contains("landmarks")) {
+    if (options.placed) {
+        face.landmarks = in_model_frame(*options.placed, scan->frame);
+    } else if (manifest.contains("landmarks")) {
         face.landmarks = in_model_frame(
             landmarks_from_json(json{{"landmarks", manifest["landmarks"]}}.dump(), path),
             scan->frame);

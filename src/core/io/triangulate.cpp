@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "myoface/base/parallel.h"
 #include "myoface/io/scan.h"
 
@@ -21,17 +23,33 @@ Vec3 face_normal(const Points& vertices, const std::vector<int>& corners) {
 
 /// Tests of a point against a triangle that one file may ask for before the rest of its large faces
 /// is cut into fans: a made-up face of a million corners must not take hours.
-constexpr long long kMostTests = 400'000'000;
+constexpr long long kMostTests = 100'000'000;
 /// Up to this size the roundest ear is looked for, beyond it the next one serves.
 constexpr std::size_t kSmallFace = 16;
 
 /// Corner positions, as numbers 0 … n-1, of the triangles of one face.
 std::vector<std::array<int, 3>> clip_ears(const Points& vertices, const std::vector<int>& corners,
                                           long long& tests) {
+    // In the face's own plane, seen against its normal.
     const Vec3 normal = face_normal(vertices, corners);
-    const auto at = [&](int k) -> Vec3 { return vertices.col(corners[k]); };
+    const bool flat = !(normal.squaredNorm() > 0.0);
+    const Vec3 up = flat ? Vec3(Vec3::UnitZ()) : Vec3(normal.stableNormalized());
+    const Vec3 across = up.unitOrthogonal();
+    const Vec3 along = up.cross(across);
+    std::vector<Eigen::Vector2d> plane;
+    plane.reserve(corners.size());
+    for (const int v : corners) {
+        const Vec3 p = vertices.col(v);
+        plane.emplace_back(p.dot(across), p.dot(along));
+    }
+    const auto at = [&](int k) -> const Eigen::Vector2d& {
+        return plane[static_cast<std::size_t>(k)];
+    };
     const auto turn = [&](int a, int b, int c) {
-        return (at(b) - at(a)).cross(at(c) - at(a)).dot(normal);
+        const Eigen::Vector2d& p = at(a);
+        const Eigen::Vector2d& q = at(b);
+        const Eigen::Vector2d& r = at(c);
+        return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
     };
     std::vector<int> left(corners.size());
     for (std::size_t i = 0; i < left.size(); ++i) {
