@@ -327,6 +327,12 @@ void MainWindow::connectFrameEditor() {
     m_frameEditor = new ScanFrameEditor(this);
     connect(m_scanPanel, &ScanPanel::unitEdited, m_frameEditor, &ScanFrameEditor::setUnit);
     connect(m_scanPanel, &ScanPanel::turnAsked, m_frameEditor, &ScanFrameEditor::turnQuarter);
+    connect(m_scanPanel, &ScanPanel::loosePartsEdited, this, [this](bool shown) {
+        if (m_scene) {
+            m_scene->show_loose_parts(shown);
+            m_view->update();
+        }
+    });
     connect(m_scanPanel, &ScanPanel::calibrationAsked, m_frameEditor,
             &ScanFrameEditor::beginCalibration);
     connect(m_frameEditor, &ScanFrameEditor::asked, this, [this](const QString& instruction) {
@@ -449,9 +455,9 @@ void MainWindow::showFace(OpenResult& result) {
 }
 
 void MainWindow::chooseFile() {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open a face"), QFileInfo(m_path).absolutePath(),
-                                     tr("Faces (*.obj *.ply *.stl *.glb *.gltf *.myoface);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open a face"), QFileInfo(m_path).absolutePath(),
+        tr("Faces (*.obj *.ply *.stl *.glb *.gltf *.myoface);;All files (*)"));
     if (!path.isEmpty()) {
         openPath(path);
     }
@@ -487,9 +493,9 @@ void MainWindow::saveScan() {
     if (!m_document.model() || !m_shown) {
         return;
     }
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export the face as it is shown"),
-                                                      QFileInfo(m_path).absolutePath(),
-                                                      tr("OBJ (*.obj);;PLY (*.ply);;GLB (*.glb);;STL (*.stl)"));
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export the face as it is shown"), QFileInfo(m_path).absolutePath(),
+        tr("OBJ (*.obj);;PLY (*.ply);;GLB (*.glb);;STL (*.stl)"));
     if (path.isEmpty()) {
         return;
     }

@@ -32,8 +32,9 @@ void ScanFrameEditor::beginCalibration() {
     }
     m_calibrating = true;
     m_points.clear();
-    Q_EMIT asked(tr("Calibration: click the first of two points whose distance you know (Esc "
-                    "ends it)."));
+    Q_EMIT asked(
+        tr("Calibration: click the first of two points whose distance you know (Esc "
+           "ends it)."));
 }
 
 void ScanFrameEditor::cancelCalibration() {

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -41,7 +42,16 @@ QString axesInWords(const std::string& axes) {
 }  // namespace
 
 ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
-    auto* layout = new QVBoxLayout(this);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    outer->addWidget(scroll);
+    auto* content = new QWidget;
+    scroll->setWidget(content);
+    auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(12, 8, 12, 8);
     layout->setSpacing(8);
     m_text = wrappedLabel();
@@ -49,6 +59,12 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
     layout->addWidget(m_text);
     buildFrameControls();
     layout->addWidget(m_frame);
+    m_looseParts = new QCheckBox;
+    m_looseParts->setToolTip(
+        tr("Parts that do not hang together with the face: eyeballs, lashes, hair, scraps"));
+    connect(m_looseParts, &QCheckBox::toggled, this, &ScanPanel::loosePartsEdited);
+    m_looseParts->hide();
+    layout->addWidget(m_looseParts);
     m_notes = wrappedLabel();
     layout->addWidget(m_notes);
     layout->addStretch(1);
@@ -105,11 +121,10 @@ void ScanPanel::setFace(const OpenedFace& face, const FaceModel* model, int spri
     row(tr("Colour"), face.texture    ? QString::fromStdString(r.texture)
                       : r.has_colours ? tr("per vertex")
                                       : tr("none"));
-    row(tr("Openings"), r.findings.holes == 0
-                            ? tr("none")
-                            : tr("%1, the longest %2 mm around")
-                                  .arg(r.findings.holes)
-                                  .arg(r.longest_hole_mm, 0, 'f', 0));
+    row(tr("Openings"), r.findings.holes == 0 ? tr("none")
+                                              : tr("%1, the longest %2 mm around")
+                                                    .arg(r.findings.holes)
+                                                    .arg(r.longest_hole_mm, 0, 'f', 0));
     if (model != nullptr) {
         row(tr("Landmarks"), locale.toString(static_cast<int>(model->landmarks.size())));
         row(tr("Muscles"), locale.toString(static_cast<int>(model->muscles.size())));
@@ -141,6 +156,14 @@ void ScanPanel::setFace(const OpenedFace& face, const FaceModel* model, int spri
     }
     m_frameText->setText(how);
     m_frame->setVisible(!face.scan_bytes.empty());
+
+    const auto loose = static_cast<int>(r.findings.parts.size()) - 1;
+    {
+        const QSignalBlocker silent(m_looseParts);
+        m_looseParts->setChecked(true);
+    }
+    m_looseParts->setText(tr("Show the loose parts (%1)").arg(loose));
+    m_looseParts->setVisible(loose > 0);
 
     QString notes;
     for (const std::string& note : r.notes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QWidget>
@@ -22,6 +23,7 @@ Q_SIGNALS:
     void unitEdited(double mmPerUnit);
     void turnAsked(int axis);
     void calibrationAsked();
+    void loosePartsEdited(bool shown);
 
 private:
     void buildFrameControls();
@@ -30,6 +32,7 @@ private:
     QLabel* m_frameText = nullptr;
     QWidget* m_frame = nullptr;
     QComboBox* m_unit = nullptr;
+    QCheckBox* m_looseParts = nullptr;
     QLabel* m_notes = nullptr;
 };
 

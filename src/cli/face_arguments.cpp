@@ -6,12 +6,17 @@
 namespace myoface::cli {
 
 void FaceArguments::add_to(CLI::App& command) {
-    command.add_option("FACE", face, "OBJ, PLY or .myoface file, or the word generic")->required();
+    command
+        .add_option("FACE", face, "OBJ, PLY, STL, glTF, GLB or .myoface file, or the word generic")
+        ->required();
     command.add_option("--landmarks", landmarks,
                        "landmark file (JSON) in the scan's unit and axes");
     command.add_option("--unit", unit, "unit of the scan: m dm cm mm in, or millimetres per unit");
     command.add_option("--axes", axes,
                        "where the scan's x, y and z point, +x left +y up +z front: such as +x-z+y");
+    command.add_option("--known", known,
+                       "calibrates by a known distance: \"from=en_l; to=en_r; mm=31.5\", ends as "
+                       "landmark, \"vertex N\" or x,y,z");
 }
 
 OpenedFace FaceArguments::open() const {
@@ -24,6 +29,9 @@ OpenedFace FaceArguments::open() const {
     }
     if (!axes.empty()) {
         options.axes = axes_from_text(axes);
+    }
+    if (!known.empty()) {
+        options.known = parse_known_distance(known);
     }
     return open_face(face, options);
 }

@@ -21,6 +21,7 @@ struct Arguments {
     std::string view = "front", layers = "skin", heatmap, size = "1200x1200", output;
     double heatmap_max = 0.0;
     bool whole = false;
+    bool no_loose_parts = false;
 };
 
 LayerOpacity parse_layers(const std::string& text) {
@@ -105,6 +106,7 @@ void render(const Arguments& a) {
         scene.show(snapshot);
         shown = simulator->scan_vertices();
     }
+    scene.show_loose_parts(!a.no_loose_parts);
     if (!a.heatmap.empty()) {
         std::vector<double> values = distances(shown, a.heatmap, opened.scan->frame);
         const double largest = *std::max_element(values.begin(), values.end());
@@ -132,6 +134,8 @@ void add_render(CLI::App& app) {
     command->add_option("--heatmap", a->heatmap, "colour by distance from this other face");
     command->add_option("--heatmap-max", a->heatmap_max, "distance of the last colour [mm]");
     command->add_option("--size", a->size, "WIDTHxHEIGHT");
+    command->add_flag("--no-loose-parts", a->no_loose_parts,
+                      "leave out what does not hang together with the face");
     command->add_flag("--whole", a->whole, "show the whole scan, not the head only");
     command->add_option("-o", a->output, "PNG file")->required();
     command->callback([a] { render(*a); });

@@ -137,6 +137,37 @@ TEST(Convert, KeepsEveryVertex) {
     EXPECT_EQ(read_mesh(obj).faces.vertex, read_mesh(face().scan).faces.vertex);
 }
 
+TEST(Convert, KnowsFourFormats) {
+    for (const char* name : {"c.stl", "c.glb", "c.ply", "c.obj"}) {
+        const std::string out = (face().folder / name).string();
+        ASSERT_EQ(cli("convert " + face().scan + " " + out).code, 0) << name;
+        EXPECT_EQ(read_mesh(out).mesh.triangle_count(),
+                  read_mesh(face().scan).mesh.triangle_count());
+    }
+    EXPECT_EQ(cli("convert " + face().scan + " x.off").code, 1);
+}
+
+TEST(Info, TellsUnitAxesAndFindings) {
+    const std::string out = (face().folder / "turned.obj").string();
+    Scan scan = read_mesh(face().scan);
+    set_frame(scan, {1.0, Mat3::Identity()});
+    scan.file_vertices = 0.001 * axes_from_text("+x-z+y").transpose() * scan.mesh.vertices;
+    scan.mesh.vertices = scan.file_vertices;
+    scan.frame = {};
+    write_mesh(out, scan, scan.mesh.vertices);
+    const auto json = nlohmann::json::parse(cli("info " + out).out);
+    EXPECT_EQ(json["unit"], "m");
+    EXPECT_EQ(json["axes"], "+x-z+y");
+    EXPECT_GT(json["frame_confidence"], 0.5);
+    EXPECT_EQ(json["components"], 3);
+    EXPECT_EQ(json["parts"].size(), 3U);
+    const auto known = nlohmann::json::parse(
+        cli("info " + out + " --known \"from=vertex 0; to=vertex 1; mm=7\"").out);
+    const Points& v = scan.file_vertices;
+    EXPECT_NEAR(known["mm_per_unit"], 7.0 / (v.col(0) - v.col(1)).norm(), 1e-6);
+    EXPECT_EQ(cli("info " + out + " --known \"from=nose; to=vertex 1; mm=7\"").code, 1);
+}
+
 TEST(Generate, DiffersBySexAndSeedOnly) {
     const std::string a = (face().folder / "1.ply").string();
     const std::string b = (face().folder / "2.ply").string();

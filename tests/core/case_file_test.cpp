@@ -94,5 +94,49 @@ TEST(CaseFile, IsNotTouchedWhenItCannotBeWritten) {
     EXPECT_THROW(write_case("/no/such/folder/c.myoface", opened, {}), IoError);
 }
 
+TEST(KnownDistance, IsReadOrRefused) {
+    const KnownDistance known = parse_known_distance("from=en_l; to=vertex 7; mm=31.5");
+    EXPECT_EQ(known.from, "en_l");
+    EXPECT_EQ(known.to, "vertex 7");
+    EXPECT_DOUBLE_EQ(known.mm, 31.5);
+    for (const char* bad : {"", "from=a; to=b", "from=a; to=b; mm=-1", "from=a; to=b; mm=x",
+                            "from=a; to=b; mm=1; by=2", "from a to b"}) {
+        EXPECT_THROW(parse_known_distance(bad), InvalidInput) << bad;
+    }
+}
+
+TEST(OpenFace, IsCalibratedByAKnownDistance) {
+    const test::TemporaryFolder folder;
+    write_mesh(folder / "a.ply", test::scan_of(test::sphere(100.0)), test::sphere(100.0).vertices);
+    OpenOptions options;
+    options.axes = Mat3::Identity();
+    options.known = KnownDistance{"0,0,-100", "0,0,100", 50.0};
+    const OpenedFace face = open_face((folder / "a.ply").string(), options);
+    EXPECT_NEAR(face.report.mm_per_unit, 0.25, 1e-12);
+    EXPECT_NEAR(face.scan->mesh.vertices.row(2).maxCoeff(), 25.0, 0.2);
+    EXPECT_FALSE(face.report.unit_is_guess);
+    for (const char* nowhere : {"nose", "vertex 99999", "vertex -1", "1,2"}) {
+        options.known = KnownDistance{nowhere, "0,0,100", 50.0};
+        EXPECT_THROW(open_face((folder / "a.ply").string(), options), InvalidInput) << nowhere;
+    }
+}
+
+TEST(CaseFile, KeepsMaterialsAndPictures) {
+    const test::TemporaryFolder folder;
+    write_png(folder / "skin.png", {1, 1, {200, 150, 130, 255}});
+    write_file(folder / "a.mtl", "newmtl skin\nKd 0.5 1 1\nmap_Kd skin.png\n");
+    write_file(folder / "a.obj",
+               "mtllib a.mtl\nv 0 0 0\nv 200 0 0\nv 0 200 0\nvt 0 0\nusemtl skin\n"
+               "f 1/1 2/1 3/1\n");
+    const OpenedFace face = open_face((folder / "a.obj").string());
+    ASSERT_NE(face.texture, nullptr);
+    write_case(folder / "c.myoface", face, {});
+    std::filesystem::remove(folder / "skin.png");
+    const OpenedFace back = open_face((folder / "c.myoface").string());
+    ASSERT_NE(back.texture, nullptr);
+    EXPECT_EQ(back.texture->rgba, face.texture->rgba);
+    EXPECT_EQ(back.scan->materials.at(0).colour, face.scan->materials.at(0).colour);
+}
+
 }  // namespace
 }  // namespace myoface

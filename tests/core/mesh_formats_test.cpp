@@ -299,6 +299,40 @@ TEST(Gltf, WithoutTheHelperSaysSo) {
     kept.empty() ? ::unsetenv("MYOFACE_IMPORT") : ::setenv("MYOFACE_IMPORT", kept.c_str(), 1);
 }
 
+TEST(Gltf, SurvivesDamageOfEveryKind) {
+    const test::TemporaryFolder folder;
+    write_mesh(folder / "a.glb", rich_scan(), rich_scan().mesh.vertices);
+    const std::string good = read_file(folder / "a.glb");
+    int refused = 0;
+    for (int k = 0; k < 60; ++k) {
+        std::string bad = good;
+        const std::size_t at = 12 + static_cast<std::size_t>(k) * (good.size() - 12) / 60;
+        if (k % 3 == 0) {
+            bad.resize(at);
+        } else {
+            bad[at] = static_cast<char>(bad[at] ^ (k % 3 == 1 ? 0x11 : 0xFF));
+        }
+        try {
+            EXPECT_TRUE(read_mesh_bytes(bad, "bad.glb").mesh.vertices.allFinite());
+        } catch (const IoError& error) {
+            ++refused;
+            EXPECT_EQ(std::string(error.what()).find("bad.glb: "), 0U) << error.what();
+        }
+    }
+    EXPECT_GT(refused, 20);
+}
+
+TEST(Gltf, ReadingCanBeCancelled) {
+    const std::string good = [] {
+        const test::TemporaryFolder folder;
+        write_mesh(folder / "a.glb", rich_scan(), rich_scan().mesh.vertices);
+        return read_file(folder / "a.glb");
+    }();
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(read_mesh_bytes(good, "a.glb", {}, &progress), Cancelled);
+}
+
 TEST(Interchange, BelievesNothing) {
     const std::string good = encode_scan(rich_scan());
     EXPECT_EQ(decode_scan(good, "x").file_vertices.cols(), 0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // On real faces, where their folder is there; skipped elsewhere.
+#include <array>
 #include <chrono>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +12,7 @@
 #include "myoface/sim/plan.h"
 
 #include "real_faces.h"
+#include "test_meshes.h"
 
 namespace myoface {
 namespace {
@@ -87,6 +90,47 @@ TEST_F(RealFace, OfEveryKindFitsAndSmilesWithoutTurningATriangleOver) {
         EXPECT_EQ(turned, 0) << name;
         EXPECT_GT(moved_at(*sim, "ch_l").norm(), 5.0) << name;
     }
+}
+
+/// Unit and axes of every face, turned and scaled, with no landmark file in reach.
+TEST_F(RealFace, TellsUnitAndAxesByItself) {
+    const std::map<std::string, double> units{
+        {"ict_neutral", 10.0},       {"ict_id001", 10.0},
+        {"ict_id002", 10.0},         {"meshmonk_template", 1.0},
+        {"meshmonk_simpop_01", 1.0}, {"meshmonk_simpop_02", 1.0},
+        {"meshmonk_simpop_03", 1.0}, {"mediapipe_canonical", 10.0},
+        {"makehuman_base", 100.0},   {"makehuman_caucasian_male_young", 100.0},
+        {"lee_perry_smith", 0.0},    {"ict_neutral_full_with_eyes_teeth", 10.0}};
+    const test::TemporaryFolder alone;
+    const std::array<std::string, 3> turns{"+x+y+z", "+x-z+y", "-z-x+y"};
+    int k = 0;
+    for (const auto& [name, mm] : units) {
+        const Scan scan = read_mesh(folder_ / "faces" / (name + ".obj"));
+        for (const double factor : {1.0, 0.1}) {
+            const std::string& axes = turns[static_cast<std::size_t>(k++) % turns.size()];
+            Scan other = scan;
+            other.frame = {1.0, Mat3::Identity()};
+            other.file_vertices = factor * (axes_from_text(axes).transpose() * scan.file_vertices);
+            other.mesh.vertices = other.file_vertices;
+            write_mesh(alone / (name + ".ply"), other, other.mesh.vertices);
+            const OpenedFace face = open_face((alone / (name + ".ply")).string());
+            EXPECT_EQ(face.report.axes, axes) << name;
+            EXPECT_GT(face.report.frame_confidence, 0.4) << name;
+            if (mm > 0.0) {
+                EXPECT_NEAR(face.report.mm_per_unit, mm / factor, 1e-6 * mm / factor) << name;
+            } else {
+                EXPECT_TRUE(face.report.needs_calibration);
+                EXPECT_NEAR(face.report.mm_per_unit, 53.2 / factor, 4.0 / factor) << name;
+            }
+        }
+    }
+    const OpenedFace calibrated = [&] {
+        OpenOptions options;
+        options.known = KnownDistance{"en_l", "en_r", 33.0};
+        return open_face((folder_ / "faces/lee_perry_smith.obj").string(), options);
+    }();
+    const Landmarks& l = *calibrated.landmarks;
+    EXPECT_NEAR((l.at("en_l").position - l.at("en_r").position).norm(), 33.0, 1e-9);
 }
 
 TEST_F(RealFace, FilesOfAllKindsAreReadOrRefusedWithASentence) {

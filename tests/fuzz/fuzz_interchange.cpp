@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What comes back from the import process may be anything.
-#include "myoface/io/interchange.h"
-
 #include <cstdlib>
 
 #include "myoface/base/error.h"
+#include "myoface/io/interchange.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {

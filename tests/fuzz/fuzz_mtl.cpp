@@ -11,8 +11,8 @@ namespace {
 
 const std::filesystem::path& folder() {
     static const std::filesystem::path kFolder = [] {
-        const auto path = std::filesystem::temp_directory_path() /
-                          ("myoface-fuzz-" + std::to_string(::getpid()));
+        const auto path =
+            std::filesystem::temp_directory_path() / ("myoface-fuzz-" + std::to_string(::getpid()));
         std::filesystem::create_directories(path);
         myoface::write_file(path / "skin.png", "x");
         return path;

@@ -13,7 +13,8 @@
 
 namespace myoface::fuzz {
 
-/// Reads bytes as a file of that name: a scan whose every number and index is good, or one sentence.
+/// Reads bytes as a file of that name: a scan whose every number and index is good, or one
+/// sentence.
 inline void read(std::string_view bytes, const char* name) {
     set_thread_count(1);
     try {

@@ -8,6 +8,8 @@
 #include "landmark_guide.h"
 #include "layer_panel.h"
 #include "muscle_panel.h"
+#include "scan_frame_editor.h"
+#include "scan_panel.h"
 #include "test_meshes.h"
 
 namespace myoface {
@@ -104,6 +106,72 @@ TEST(LandmarkGuide, AsksForOnePointAfterTheOther) {
     EXPECT_EQ(done.count(), 1);
     EXPECT_EQ(guide.placed().size(), 14U);
     EXPECT_EQ(guide.placed().at("prn").position.x(), 0.0);
+}
+
+/// An opened ball, as if from a file in centimetres that lies on its back.
+std::shared_ptr<OpenedFace> openedBall() {
+    auto face = std::make_shared<OpenedFace>();
+    Scan scan = test::scan_of(test::together(test::sphere(10.0), test::grid(3, 1.0)));
+    set_frame(scan, {10.0, axes_from_text("+x-z+y")});
+    face->report = describe(scan);
+    face->scan = std::make_shared<const Scan>(std::move(scan));
+    face->scan_bytes = "x";
+    face->landmarks = Landmarks{{"prn", {Vec3(0, 0, 100), 2.0}}};
+    return face;
+}
+
+TEST(ScanPanel, ShowsUnitAndOffersOthers) {
+    ScanPanel panel;
+    panel.setFace(*openedBall(), nullptr, 0);
+    auto* unit = panel.findChild<QComboBox*>();
+    ASSERT_NE(unit, nullptr);
+    EXPECT_DOUBLE_EQ(unit->currentData().toDouble(), 10.0);
+    QSignalSpy spy(&panel, &ScanPanel::unitEdited);
+    unit->setFocus();
+    QTest::keyClick(unit, Qt::Key_Down);  // the next larger one
+    ASSERT_EQ(spy.count(), 1);
+    EXPECT_DOUBLE_EQ(spy[0][0].toDouble(), 100.0);
+}
+
+TEST(ScanPanel, HidesLooseParts) {
+    ScanPanel panel;
+    panel.setFace(*openedBall(), nullptr, 0);
+    auto* loose = panel.findChild<QCheckBox*>();
+    ASSERT_NE(loose, nullptr);
+    EXPECT_FALSE(loose->isHidden());
+    QSignalSpy spy(&panel, &ScanPanel::loosePartsEdited);
+    loose->click();
+    ASSERT_EQ(spy.count(), 1);
+    EXPECT_FALSE(spy[0][0].toBool());
+}
+
+TEST(ScanFrameEditor, ReopensWithLandmarksInTheFilesOwnNumbers) {
+    ScanFrameEditor editor;
+    OpenOptions wanted;
+    int count = 0;
+    QObject::connect(&editor, &ScanFrameEditor::reopenWanted, [&](const OpenOptions& options) {
+        wanted = options;
+        ++count;
+    });
+    const auto face = openedBall();
+    editor.setFace(face);
+    editor.setUnit(1.0);
+    ASSERT_EQ(count, 1);
+    EXPECT_DOUBLE_EQ(*wanted.mm_per_unit, 1.0);
+    EXPECT_EQ(axes_to_text(*wanted.axes), "+x-z+y");
+    EXPECT_TRUE(wanted.placed->landmarks.at("prn").position.isApprox(
+        face->scan->frame.to_file({0, 0, 100})));
+    editor.turnQuarter(0);
+    EXPECT_EQ(axes_to_text(*wanted.axes), "+x+y+z");  // what was up is in front
+    for (int k = 0; k < 3; ++k) {
+        editor.beginCalibration();
+        EXPECT_TRUE(editor.calibrating());
+        editor.place({0, 0, 0});
+        editor.place({0, 50, 0});
+        EXPECT_FALSE(editor.calibrating());
+    }
+    editor.calibrate(25.0);
+    EXPECT_DOUBLE_EQ(*wanted.mm_per_unit, 5.0);
 }
 
 }  // namespace

@@ -29,16 +29,26 @@ struct OpenedFace {
     std::string scan_bytes;  ///< the scan's file, byte for byte
 };
 
+/// A distance on the scan that somebody knows, for calibration: "from=…; to=…; mm=…" with ends
+/// given as a landmark, "vertex N" (from 0, in file order) or x,y,z in the file's own numbers.
+struct KnownDistance {
+    std::string from, to;
+    double mm = 0.0;
+};
+/// @throws InvalidInput
+KnownDistance parse_known_distance(const std::string& text);
+
 struct OpenOptions {
     std::optional<std::filesystem::path> landmarks;
     std::optional<LandmarkFile> placed;  ///< landmarks from somewhere else than a file
     std::optional<double> mm_per_unit;
     std::optional<Mat3> axes;
+    std::optional<KnownDistance> known;  ///< wins over mm_per_unit
 };
 
-/// Opens OBJ, PLY, a .myoface case, or the word "generic". Without given landmarks a file
+/// Opens OBJ, PLY, STL, glTF, a .myoface case, or the word "generic". Without given landmarks a file
 /// STEM.landmarks.json beside the scan, or in ../landmarks, is used when it is there. Unit and axes
-/// follow the landmarks where they are not given.
+/// that are not given follow the landmarks, or else the face as find_face() sees it.
 /// @throws IoError, InvalidInput
 OpenedFace open_face(const std::string& path, const OpenOptions& options = {},
                      const Progress* progress = nullptr);

@@ -30,6 +30,9 @@ public:
     /// Paints the skin with values 0 … 1 per scan vertex by colour_map(); empty: its own look.
     void paint(const std::vector<double>& values);
 
+    /// Draws the parts of the scan beside the one that holds the face, or leaves them out.
+    void show_loose_parts(bool shown);
+
     const SceneData& scene() const { return scene_; }
     SceneData& scene() { return scene_; }
 

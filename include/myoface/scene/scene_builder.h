@@ -17,6 +17,9 @@ public:
     SkinDrawing() = default;
     explicit SkinDrawing(const Scan& scan);
 
+    /// Three per triangle of the scan, in its order.
+    const std::vector<std::uint32_t>& indices() const { return indices_; }
+
     /// Fills indices, colours, UV, positions, normals and folds of a layer.
     void fill(SurfaceLayer& layer, const Scan& scan) const;
     /// Moves a layer to new vertex positions (3×N of the scan, mm).

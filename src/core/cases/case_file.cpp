@@ -2,7 +2,10 @@
 #include "myoface/cases/case_file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
+#include <locale>
+#include <sstream>
 #include <zip.h>
 
 #include <nlohmann/json.hpp>
@@ -190,6 +193,50 @@ std::optional<fs::path> landmarks_beside(const fs::path& file) {
     return std::nullopt;
 }
 
+/// A place on a scan in the file's own numbers.
+Vec3 place_in_file(const std::string& text, const Scan& scan,
+                   const std::optional<LandmarkFile>& landmarks) {
+    std::istringstream words(text);
+    words.imbue(std::locale::classic());
+    std::string first;
+    words >> first;
+    long long number = -1;
+    if (first == "vertex" && words >> number) {
+        if (number < 0 || number >= scan.mesh.vertex_count()) {
+            throw InvalidInput("There is no vertex " + std::to_string(number) + " (the scan has " +
+                               std::to_string(scan.mesh.vertex_count()) + ").");
+        }
+        return scan.file_vertices.col(static_cast<Eigen::Index>(number));
+    }
+    std::istringstream numbers(text);
+    numbers.imbue(std::locale::classic());
+    Vec3 point;
+    char comma = 0;
+    char other = 0;
+    if (numbers >> point.x() >> comma >> point.y() >> other >> point.z() && comma == ',' &&
+        other == ',' && point.allFinite()) {
+        return point;
+    }
+    const auto found = landmarks ? landmarks->landmarks.find(text) : Landmarks::const_iterator();
+    if (!landmarks || found == landmarks->landmarks.end()) {
+        throw InvalidInput("'" + text +
+                           "' is no place on the scan: give a landmark of its landmark file, "
+                           "\"vertex N\" or x,y,z.");
+    }
+    return found->second.position;
+}
+
+double calibrated_unit(const KnownDistance& known, const Scan& scan,
+                       const std::optional<LandmarkFile>& landmarks) {
+    const double apart =
+        (place_in_file(known.from, scan, landmarks) - place_in_file(known.to, scan, landmarks))
+            .norm();
+    if (!(apart > 1e-12)) {
+        throw InvalidInput("The two places of the known distance are the same.");
+    }
+    return known.mm / apart;
+}
+
 /// Looks for the face and takes unit and axes from it where they are not given; a face that is not
 /// found leaves what the size of the scan implies.
 std::optional<FrameGuess> settle_frame(Scan& scan, const OpenOptions& options,
@@ -216,7 +263,8 @@ void report_frame(MeshReadReport& report, const std::optional<FrameGuess>& guess
     if (report.needs_calibration) {
         report.notes.emplace_back(
             report.unit_is_guess
-                ? "The unit is none of m, dm, cm, mm and in: the size of an average face was taken, "
+                ? "The unit is none of m, dm, cm, mm and in: the size of an average face was "
+                  "taken, "
                   "which may be off by a tenth. Calibrate it with a known distance."
                 : "The unit is none of m, dm, cm, mm and in: the size is what the landmark file "
                   "says. Check it with a known distance.");
@@ -240,6 +288,45 @@ OpenedFace open_generic() {
 }
 
 }  // namespace
+
+KnownDistance parse_known_distance(const std::string& text) {
+    KnownDistance known;
+    const auto fail = [&] {
+        throw InvalidInput("The known distance '" + text +
+                           "' is not of the form \"from=PLACE; to=PLACE; mm=NUMBER\".");
+    };
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ';');) {
+        const std::size_t begin = part.find_first_not_of(' ');
+        const std::size_t equals = part.find('=');
+        if (begin == std::string::npos) {
+            continue;
+        }
+        if (equals == std::string::npos) {
+            fail();
+        }
+        const std::string key = part.substr(begin, equals - begin);
+        std::string value = part.substr(equals + 1);
+        value.erase(value.find_last_not_of(' ') + 1);
+        if (key == "from") {
+            known.from = value;
+        } else if (key == "to") {
+            known.to = value;
+        } else if (key == "mm") {
+            const auto [end, error] =
+                std::from_chars(value.data(), value.data() + value.size(), known.mm);
+            if (error != std::errc() || end != value.data() + value.size()) {
+                fail();
+            }
+        } else {
+            fail();
+        }
+    }
+    if (known.from.empty() || known.to.empty() || !(known.mm > 0.0 && known.mm < 1e5)) {
+        fail();
+    }
+    return known;
+}
 
 OpenedFace open_face(const std::string& path, const OpenOptions& options,
                      const Progress* progress) {
@@ -274,12 +361,16 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     } else {
         face.scan_bytes = read_file(file);
     }
-    const std::optional<FrameGuess> guess =
-        landmarks || (options.mm_per_unit && options.axes)
-            ? std::nullopt
-            : settle_frame(*scan, options, progress);
+    OpenOptions settled = options;
+    if (options.known) {
+        settled.mm_per_unit = calibrated_unit(*options.known, *scan, landmarks);
+        set_frame(*scan, {*settled.mm_per_unit, scan->frame.axes});
+    }
+    const std::optional<FrameGuess> guess = landmarks || (settled.mm_per_unit && settled.axes)
+                                                ? std::nullopt
+                                                : settle_frame(*scan, settled, progress);
     face.report = describe(*scan);
-    report_frame(face.report, guess, landmarks, options);
+    report_frame(face.report, guess, landmarks, settled);
     std::string note;
     face.texture = load_texture(*scan, &note);
     if (!note.empty()) {

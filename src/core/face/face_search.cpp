@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nanoflann.hpp>
 #include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <nanoflann.hpp>
 
 #include "myoface/base/parallel.h"
 #include "myoface/io/mesh_file.h"
@@ -20,17 +20,18 @@ namespace myoface {
 namespace {
 
 constexpr int kSamples = 40000;
-constexpr double kSmallest = 120.0;    // [mm] assumed size of the whole mesh: a tight crop …
-constexpr double kLargest = 2300.0;    // … to a standing person
+constexpr double kSmallest = 120.0;  // [mm] assumed size of the whole mesh: a tight crop …
+constexpr double kLargest = 2300.0;  // … to a standing person
 constexpr double kSizeStep = 1.22;
-constexpr double kCell = 6.0;          // [mm]
-constexpr int kReach = 4;              // cells
+constexpr double kGoodEnough = 0.7;  // quality that ends the search
+constexpr double kCell = 6.0;        // [mm]
+constexpr int kReach = 4;            // cells
 constexpr std::size_t kCandidates = 60;
 constexpr std::size_t kKeptPerSize = 25;
 constexpr std::size_t kRefined = 20;
 constexpr std::size_t kFinalists = 6;
-constexpr Eigen::Index kFew = 150;     // template points to search with,
-constexpr Eigen::Index kSome = 500;    // to refine with
+constexpr Eigen::Index kFew = 150;   // template points to search with,
+constexpr Eigen::Index kSome = 500;  // to refine with
 
 /// Average head -> mesh, with what it is worth.
 struct Hypothesis {
@@ -66,8 +67,7 @@ double score(const SizedSamples& samples, const Similarity& place, Eigen::Index 
         if (near < 0) {
             continue;
         }
-        const double facing =
-            samples.normals.col(near).dot(place.rotation * face.normals.col(i));
+        const double facing = samples.normals.col(near).dot(place.rotation * face.normals.col(i));
         if (facing > 0.0) {
             const double d2 = (samples.points.col(near) - p).squaredNorm();
             sum += face.weights[i] * facing * bump(d2, 11.3);
@@ -146,8 +146,7 @@ std::vector<NoseLike> noses(const SizedSamples& samples) {
     for (const int i : around.chosen()) {
         const Vec3 p = samples.points.col(i);
         Vec3 normal = Vec3::Zero();
-        around.around(p, kNormalReach,
-                      [&](int k, double) { normal += samples.normals.col(k); });
+        around.around(p, kNormalReach, [&](int k, double) { normal += samples.normals.col(k); });
         if (normal.norm() < 1e-9) {
             continue;
         }
@@ -213,9 +212,8 @@ public:
         const double angle = std::min(axis.norm(), 0.5);
         Similarity step;
         step.scale = std::clamp(1.0 + x[6], 0.92, 1.08);
-        step.rotation = angle > 0.0
-                            ? Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix()
-                            : Mat3(Mat3::Identity());
+        step.rotation = angle > 0.0 ? Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix()
+                                    : Mat3(Mat3::Identity());
         step.shift = centre_ + x.segment<3>(3) - step.scale * (step.rotation * centre_);
         return step;
     }
@@ -289,9 +287,8 @@ double blocked(const SizedSamples& samples, const Similarity& place) {
 }
 
 void keep_best(std::vector<Hypothesis>& list, std::size_t count) {
-    std::stable_sort(list.begin(), list.end(), [](const Hypothesis& a, const Hypothesis& b) {
-        return a.score > b.score;
-    });
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
     list.resize(std::min(list.size(), count));
 }
 
@@ -337,8 +334,9 @@ struct PointsForTree {
         return false;
     }
 };
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<
-    nanoflann::L2_Simple_Adaptor<double, PointsForTree>, PointsForTree, 3>;
+using Tree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointsForTree>,
+                                        PointsForTree, 3>;
 
 /// Registration on all samples, in the mesh's own unit.
 class FineFit {
@@ -371,8 +369,7 @@ public:
         }
         double sum = 0.0;
         visit(hypothesis.place, [&](Eigen::Index i, const Vec3& p, int near, double facing) {
-            const double d =
-                (samples_.points.col(near) - p).norm() / hypothesis.place.scale;
+            const double d = (samples_.points.col(near) - p).norm() / hypothesis.place.scale;
             sum += face.weights[i] * std::max(facing, 0.0) * std::exp(-d * d / 50.0);
         });
         hypothesis.score = sum / face.weights.sum();
@@ -396,9 +393,8 @@ private:
             int best = -1;
             double least = 0.0;
             for (std::size_t k = 0; k < count; ++k) {
-                const double apart =
-                    (samples_.normals.col(index[k]) - normal).squaredNorm() * kTurnCost *
-                    kTurnCost * place.scale * place.scale;
+                const double apart = (samples_.normals.col(index[k]) - normal).squaredNorm() *
+                                     kTurnCost * kTurnCost * place.scale * place.scale;
                 if (best < 0 || distance[k] + apart < least) {
                     best = static_cast<int>(index[k]);
                     least = distance[k] + apart;
@@ -419,8 +415,7 @@ private:
 bool same_place(const Similarity& a, const Similarity& b) {
     const FaceTemplate& face = face_template();
     const double apart = (a(face.centre) - b(face.centre)).norm() / a.scale;
-    const double angle =
-        Eigen::AngleAxisd(Mat3(a.rotation.transpose() * b.rotation)).angle();
+    const double angle = Eigen::AngleAxisd(Mat3(a.rotation.transpose() * b.rotation)).angle();
     return apart < 15.0 && angle < 0.3 && std::abs(std::log(a.scale / b.scale)) < 0.12;
 }
 
@@ -443,6 +438,68 @@ double typical_size(const Points& points) {
     return 2.0 * distance[static_cast<std::size_t>(at)];
 }
 
+/// The best place of a face under some assumed sizes of the mesh, in mm.
+std::optional<FacePose> best_of(const SurfaceSamples& samples, double size,
+                                const std::vector<double>& sizes, const FineFit& fine) {
+    std::vector<std::vector<Hypothesis>> found(sizes.size());
+    parallel_for(static_cast<int>(sizes.size()), 1, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const SizedSamples sized(samples, sizes[k] / size);
+            found[k] = search(sized);
+            keep_best(found[k], kRefined);
+            for (Hypothesis& hypothesis : found[k]) {
+                refine(sized, hypothesis, 15, 10.0, 5.0, kSome);
+                hypothesis.score *= 1.0 - std::min(2.0 * blocked(sized, hypothesis.place), 1.0);
+                // From the sized samples to the mesh's own unit.
+                hypothesis.place.scale /= sized.scale;
+                hypothesis.place.shift /= sized.scale;
+            }
+        }
+    });
+    std::vector<Hypothesis> all;
+    for (const auto& list : found) {
+        all.insert(all.end(), list.begin(), list.end());
+    }
+    keep_best(all, all.size());
+    std::vector<Hypothesis> finalists;
+    for (const Hypothesis& hypothesis : all) {
+        const bool known = std::any_of(
+            finalists.begin(), finalists.end(),
+            [&](const Hypothesis& other) { return same_place(other.place, hypothesis.place); });
+        if (!known && hypothesis.score > 0.0) {
+            finalists.push_back(hypothesis);
+        }
+        if (finalists.size() == kFinalists) {
+            break;
+        }
+    }
+    if (finalists.empty()) {
+        return std::nullopt;
+    }
+    parallel_for(static_cast<int>(finalists.size()), 1, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            fine.refine(finalists[static_cast<std::size_t>(i)]);
+        }
+    });
+    keep_best(finalists, finalists.size());
+    FacePose pose;
+    pose.to_generic = finalists[0].place.inverse();
+    pose.quality = finalists[0].score;
+    // Neighbours of the best are the same face a little worse; what counts is another place or
+    // turn.
+    const Vec3 centre = face_template().centre;
+    const Similarity& best = finalists[0].place;
+    for (const Hypothesis& other : finalists) {
+        const double angle =
+            Eigen::AngleAxisd(Mat3(best.rotation.transpose() * other.place.rotation)).angle();
+        if ((best(centre) - other.place(centre)).norm() > 40.0 * best.scale || angle > 0.6) {
+            pose.runner_up = std::max(pose.runner_up, other.score);
+        }
+    }
+    return pose;
+}
+
 }  // namespace
 
 std::optional<FacePose> find_face(const TriangleMesh& mesh, const Progress* progress) {
@@ -461,67 +518,28 @@ std::optional<FacePose> find_face(const TriangleMesh& mesh, const Progress* prog
         return std::nullopt;
     }
     face_template();  // before many ask for it at once
-    std::vector<double> sizes;
-    for (double assumed = kSmallest; assumed <= kLargest; assumed *= kSizeStep) {
-        sizes.push_back(assumed);
-    }
     report(0.1);
-    std::vector<std::vector<Hypothesis>> found(sizes.size());
-    parallel_for(static_cast<int>(sizes.size()), 1, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            const SizedSamples sized(samples, sizes[k] / size);
-            found[k] = search(sized);
-            keep_best(found[k], kRefined);
-            for (Hypothesis& hypothesis : found[k]) {
-                refine(sized, hypothesis, 15, 10.0, 5.0, kSome);
-                hypothesis.score *= 1.0 - std::min(2.0 * blocked(sized, hypothesis.place), 1.0);
-                // From the sized samples to the mesh's own unit.
-                hypothesis.place.scale /= sized.scale;
-                hypothesis.place.shift /= sized.scale;
+    // Sizes that a usual unit implies are tried first; most scans need no others.
+    std::vector<double> usual;
+    for (const double unit : {1.0, 10.0, 100.0, 1000.0}) {
+        for (const double person : {0.93, 1.08}) {
+            const double assumed = size * unit * person;
+            if (assumed > kSmallest && assumed < kLargest) {
+                usual.push_back(assumed);
             }
         }
-    });
-    report(0.7);
-    std::vector<Hypothesis> all;
-    for (const auto& list : found) {
-        all.insert(all.end(), list.begin(), list.end());
-    }
-    keep_best(all, all.size());
-    std::vector<Hypothesis> finalists;
-    for (const Hypothesis& hypothesis : all) {
-        const bool known =
-            std::any_of(finalists.begin(), finalists.end(), [&](const Hypothesis& other) {
-                return same_place(other.place, hypothesis.place);
-            });
-        if (!known && hypothesis.score > 0.0) {
-            finalists.push_back(hypothesis);
-        }
-        if (finalists.size() == kFinalists) {
-            break;
-        }
-    }
-    if (finalists.empty()) {
-        return std::nullopt;
     }
     const FineFit fine(samples);
-    parallel_for(static_cast<int>(finalists.size()), 1, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-            fine.refine(finalists[static_cast<std::size_t>(i)]);
+    std::optional<FacePose> pose = best_of(samples, size, usual, fine);
+    if (!pose || pose->quality < kGoodEnough) {
+        report(0.4);
+        std::vector<double> sizes;
+        for (double assumed = kSmallest; assumed <= kLargest; assumed *= kSizeStep) {
+            sizes.push_back(assumed);
         }
-    });
-    keep_best(finalists, finalists.size());
-    FacePose pose;
-    pose.to_generic = finalists[0].place.inverse();
-    pose.quality = finalists[0].score;
-    // Neighbours of the best are the same face a little worse; what counts is another place or turn.
-    const Vec3 centre = face_template().centre;
-    const Similarity& best = finalists[0].place;
-    for (const Hypothesis& other : finalists) {
-        const double angle =
-            Eigen::AngleAxisd(Mat3(best.rotation.transpose() * other.place.rotation)).angle();
-        if ((best(centre) - other.place(centre)).norm() > 40.0 * best.scale || angle > 0.6) {
-            pose.runner_up = std::max(pose.runner_up, other.score);
+        const std::optional<FacePose> other = best_of(samples, size, sizes, fine);
+        if (!pose || (other && other->quality > pose->quality)) {
+            pose = other;
         }
     }
     report(1.0);
@@ -529,8 +547,8 @@ std::optional<FacePose> find_face(const TriangleMesh& mesh, const Progress* prog
 }
 
 double confidence_of(const FacePose& pose) {
-    constexpr double kNone = 0.62;   // things that are no faces stay below
-    constexpr double kSure = 0.80;   // faces reach it
+    constexpr double kNone = 0.62;  // things that are no faces stay below
+    constexpr double kSure = 0.80;  // faces reach it
     const double fit = std::clamp((pose.quality - kNone) / (kSure - kNone), 0.0, 1.0);
     const double alone = std::clamp((pose.quality - pose.runner_up) / 0.08, 0.0, 1.0);
     return fit * (0.3 + 0.7 * alone);

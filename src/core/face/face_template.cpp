@@ -12,7 +12,7 @@ namespace myoface {
 namespace {
 
 constexpr int kNodes = 1200;
-constexpr double kSpacing = 3.0;    // [mm] of the points to choose from
+constexpr double kSpacing = 3.0;  // [mm] of the points to choose from
 constexpr double kHalfWidth = 66.0;
 constexpr double kForehead = 50.0;  // above the inner canthi
 constexpr double kDepth = 45.0;     // behind the outer canthi

@@ -228,6 +228,27 @@ void FaceScene::show_springs(const Points& nodes) {
     ++scene_.topology;
 }
 
+void FaceScene::show_loose_parts(bool shown) {
+    const std::vector<std::uint32_t>& all = drawing_.indices();
+    std::vector<std::uint32_t>& drawn = scene_.skin.indices;
+    ++scene_.topology;
+    if (shown || scan_->triangle_part.empty()) {
+        drawn = all;
+        return;
+    }
+    const int face = face_ && !face_->skin.of_triangle.empty()
+                         ? scan_->triangle_part[static_cast<std::size_t>(
+                               face_->skin.of_triangle.front())]
+                         : 0;
+    drawn.clear();
+    for (std::size_t t = 0; t < scan_->triangle_part.size(); ++t) {
+        if (scan_->triangle_part[t] == face) {
+            drawn.insert(drawn.end(), all.begin() + static_cast<std::ptrdiff_t>(3 * t),
+                         all.begin() + static_cast<std::ptrdiff_t>(3 * t + 3));
+        }
+    }
+}
+
 void FaceScene::set_layers(const LayerOpacity& layers) {
     scene_.skin.opacity = layers.skin;
     scene_.muscles.opacity = face_ ? layers.muscles : 0.0F;
