@@ -134,7 +134,7 @@ TEST(CaseFile, KeepsMaterialsAndPictures) {
     std::filesystem::remove(folder / "skin.png");
     const OpenedFace back = open_face((folder / "c.myoface").string());
     ASSERT_NE(back.texture, nullptr);
-    EXPECT_EQ(back.texture->rgba, face.texture->rgba);
+    EXPECT_EQ(back.texture->image.rgba, face.texture->image.rgba);
     EXPECT_EQ(back.scan->materials.at(0).colour, face.scan->materials.at(0).colour);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files of every format: what is read, and that nothing is lost on the way back.
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 
@@ -10,6 +11,7 @@
 #include "myoface/base/parallel.h"
 #include "myoface/io/interchange.h"
 #include "myoface/io/mesh_file.h"
+#include "myoface/io/skin_texture.h"
 #include "myoface/io/text_file.h"
 
 #include "test_meshes.h"
@@ -88,6 +90,33 @@ TEST(RichObj, IsReadWithAllItsMaterials) {
     ASSERT_EQ(scan.textures.size(), 2U);
     EXPECT_EQ(scan.textures[0].bytes, png());  // found under its name, without the other folders
     EXPECT_EQ(scan.mesh.triangle_count(), 5);
+}
+
+TEST(SkinTexture, PutsSeveralPicturesIntoOne) {
+    Scan scan = rich_scan();
+    const test::TemporaryFolder folder;
+    write_png(folder / "red.png", {1, 1, {255, 0, 0, 255}});
+    scan.textures[0].bytes = read_file(folder / "red.png");
+    scan.materials.push_back({"paint", {0.0F, 1.0F, 0.0F, 1.0F}, -1});
+    const auto texture = load_texture(scan);
+    ASSERT_NE(texture, nullptr);
+    ASSERT_EQ(texture->tiles.size(), 3U);
+    const auto colour_at = [&](int material, const Eigen::Vector2f& uv) {
+        const Eigen::Vector2f at = place_in_texture(texture.get(), material, uv);
+        const int x = static_cast<int>(at.x() * static_cast<float>(texture->image.width - 1));
+        const int y = static_cast<int>(at.y() * static_cast<float>(texture->image.height - 1));
+        const auto* rgba =
+            &texture->image.rgba[static_cast<std::size_t>(4 * (y * texture->image.width + x))];
+        return std::array<int, 3>{rgba[0], rgba[1], rgba[2]};
+    };
+    for (const Eigen::Vector2f& uv : {Eigen::Vector2f(0, 0), Eigen::Vector2f(1, 1),
+                                      Eigen::Vector2f(0.3F, 0.7F), Eigen::Vector2f(2.5F, -3.5F)}) {
+        EXPECT_EQ(colour_at(0, uv), (std::array<int, 3>{255, 0, 0}));
+        EXPECT_EQ(colour_at(1, uv), (std::array<int, 3>{200, 150, 130}));
+        EXPECT_EQ(colour_at(2, uv), (std::array<int, 3>{0, 255, 0}));
+    }
+    scan.face_material.clear();
+    EXPECT_TRUE(load_texture(scan)->tiles.empty());
 }
 
 TEST(RoundTrip, OfObjKeepsMaterialsAndPictures) {

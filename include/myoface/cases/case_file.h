@@ -9,8 +9,8 @@
 
 #include "myoface/base/progress.h"
 #include "myoface/face/landmarks.h"
-#include "myoface/io/image.h"
 #include "myoface/io/mesh_file.h"
+#include "myoface/io/skin_texture.h"
 #include "myoface/sim/simulator.h"
 
 namespace myoface {
@@ -19,7 +19,7 @@ namespace myoface {
 struct OpenedFace {
     std::shared_ptr<const Scan> scan;
     MeshReadReport report;
-    std::shared_ptr<const Image> texture;
+    std::shared_ptr<const SkinTexture> texture;
     std::optional<Landmarks> landmarks;   ///< our frame
     std::map<std::string, double> rates;  ///< muscle name -> contraction, from a case
     std::map<std::string, double> strengths;

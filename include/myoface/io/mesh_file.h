@@ -2,14 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "myoface/base/progress.h"
-#include "myoface/io/image.h"
 #include "myoface/io/scan.h"
 
 namespace myoface {
@@ -75,10 +73,6 @@ void write_mesh(const std::filesystem::path& file, const Scan& scan, const Point
 
 /// The bytes of write_mesh's main file. @throws InvalidInput
 std::string mesh_bytes(const std::string& name, const Scan& scan, const Points& vertices);
-
-/// The scan's first texture if it has one that can be read; otherwise null and perhaps a sentence
-/// in `note`.
-std::shared_ptr<const Image> load_texture(const Scan& scan, std::string* note = nullptr);
 
 /// Millimetres of a unit's name (m dm cm mm in) or of a plain number of millimetres.
 /// @throws InvalidInput

@@ -19,7 +19,7 @@ struct LayerOpacity {
 /// that has not been fitted too (skin only).
 class FaceScene {
 public:
-    FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const Image> texture);
+    FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const SkinTexture> texture);
 
     /// Adds muscles, bone and springs.
     void set_face(std::shared_ptr<const FaceModel> face, const std::vector<Spring>& springs,
@@ -37,11 +37,12 @@ public:
     SceneData& scene() { return scene_; }
 
 private:
+    std::shared_ptr<const Image> picture() const;
     void show_muscles(const Points& nodes);
     void show_springs(const Points& nodes);
 
     std::shared_ptr<const Scan> scan_;
-    std::shared_ptr<const Image> texture_;
+    std::shared_ptr<const SkinTexture> texture_;
     std::shared_ptr<const FaceModel> face_;
     std::vector<Spring> springs_;
     std::vector<MuscleChain> chains_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "myoface/io/scan.h"
+#include "myoface/io/skin_texture.h"
 #include "myoface/mesh/adjacency.h"
 #include "myoface/scene/scene.h"
 
@@ -21,7 +22,7 @@ public:
     const std::vector<std::uint32_t>& indices() const { return indices_; }
 
     /// Fills indices, colours, UV, positions, normals and folds of a layer.
-    void fill(SurfaceLayer& layer, const Scan& scan) const;
+    void fill(SurfaceLayer& layer, const Scan& scan, const SkinTexture* texture) const;
     /// Moves a layer to new vertex positions (3×N of the scan, mm).
     void move(SurfaceLayer& layer, const Points& vertices) const;
     int scan_vertex(int drawn) const { return source_[static_cast<std::size_t>(drawn)]; }
@@ -30,8 +31,9 @@ public:
 private:
     void normals(SurfaceLayer& layer, const Points& vertices) const;
 
-    std::vector<int> source_;     ///< drawn vertex -> scan vertex
-    std::vector<int> source_uv_;  ///< drawn vertex -> UV, -1
+    std::vector<int> source_;           ///< drawn vertex -> scan vertex
+    std::vector<int> source_uv_;        ///< drawn vertex -> UV, -1
+    std::vector<int> source_material_;  ///< drawn vertex -> material, -1
     std::vector<std::uint32_t> indices_;
     std::vector<int> welded_;   ///< scan vertex -> welded vertex, -1 unused
     TriangleMesh welded_mesh_;  ///< its positions are scratch

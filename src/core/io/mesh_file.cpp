@@ -244,22 +244,6 @@ void read_companions(const std::filesystem::path& file, Scan& scan) {
     read_materials(file.parent_path(), scan);
 }
 
-std::shared_ptr<const Image> load_texture(const Scan& scan, std::string* note) {
-    for (const Texture& texture : scan.textures) {
-        if (texture.bytes.empty() || scan.uv.cols() == 0) {
-            continue;
-        }
-        try {
-            return std::make_shared<Image>(read_image_bytes(texture.bytes, texture.name));
-        } catch (const Error& error) {
-            if (note != nullptr) {
-                *note = error.what();
-            }
-        }
-    }
-    return nullptr;
-}
-
 MeshReadReport describe(const Scan& scan) {
     MeshReadReport report;
     static constexpr std::array<const char*, 8> kFormats{"OBJ",

@@ -107,10 +107,10 @@ FloatPoints normals_of(const FloatPoints& positions, const std::vector<std::uint
 
 }  // namespace
 
-FaceScene::FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const Image> texture)
+FaceScene::FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const SkinTexture> texture)
     : scan_(std::move(scan)), texture_(std::move(texture)), drawing_(*scan_) {
-    drawing_.fill(scene_.skin, *scan_);
-    scene_.skin.texture = texture_;
+    drawing_.fill(scene_.skin, *scan_, texture_.get());
+    scene_.skin.texture = picture();
     own_colours_ = scene_.skin.colours;
     const Points& v = scan_->mesh.vertices;
     scene_.centre = 0.5 * (v.rowwise().maxCoeff() + v.rowwise().minCoeff());
@@ -122,6 +122,10 @@ FaceScene::FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const Ima
     scene_.muscles.gloss = 0.6F;
     set_layers({});
     scene_.topology = scene_.motion = 1;
+}
+
+std::shared_ptr<const Image> FaceScene::picture() const {
+    return texture_ ? std::shared_ptr<const Image>(texture_, &texture_->image) : nullptr;
 }
 
 void FaceScene::set_face(std::shared_ptr<const FaceModel> face, const std::vector<Spring>& springs,
@@ -236,10 +240,10 @@ void FaceScene::show_loose_parts(bool shown) {
         drawn = all;
         return;
     }
-    const int face = face_ && !face_->skin.of_triangle.empty()
-                         ? scan_->triangle_part[static_cast<std::size_t>(
-                               face_->skin.of_triangle.front())]
-                         : 0;
+    const int face =
+        face_ && !face_->skin.of_triangle.empty()
+            ? scan_->triangle_part[static_cast<std::size_t>(face_->skin.of_triangle.front())]
+            : 0;
     drawn.clear();
     for (std::size_t t = 0; t < scan_->triangle_part.size(); ++t) {
         if (scan_->triangle_part[t] == face) {
@@ -269,7 +273,7 @@ void FaceScene::paint(const std::vector<double>& values) {
     SurfaceLayer& skin = scene_.skin;
     if (values.empty()) {
         skin.colours = own_colours_;
-        skin.texture = texture_;
+        skin.texture = picture();
     } else {
         skin.texture = nullptr;
         skin.colours.resize(3, drawing_.drawn_count());

@@ -2,6 +2,7 @@
 #include "myoface/scene/scene_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "myoface/base/parallel.h"
@@ -19,21 +20,27 @@ SkinDrawing::SkinDrawing(const Scan& scan) {
     for (int v = 0; v < n; ++v) {
         source_[v] = v;
     }
-    std::map<std::pair<int, int>, int> more;
+    source_material_.assign(static_cast<std::size_t>(n), -1);
+    const bool materials = uv && scan.materials.size() > 1 && !scan.face_material.empty();
+    std::map<std::array<int, 3>, int> more;  // vertex, UV, material -> drawn vertex
     indices_.reserve(3 * static_cast<std::size_t>(scan.mesh.triangle_count()));
     for (int triangle = 0; triangle < scan.mesh.triangle_count(); ++triangle) {
+        const int m =
+            materials ? scan.face_material[static_cast<std::size_t>(face_of(scan, triangle))] : -1;
         for (const int c : corners_of(scan, triangle)) {
             const int v = scan.faces.vertex[c];
             const int t = uv ? scan.faces.uv[c] : -1;
             int drawn = v;
             if (t >= 0 && source_uv_[v] < 0) {
                 source_uv_[v] = t;
-            } else if (t >= 0 && source_uv_[v] != t) {
+                source_material_[v] = m;
+            } else if (t >= 0 && (source_uv_[v] != t || source_material_[v] != m)) {
                 const auto [found, fresh] =
-                    more.try_emplace({v, t}, static_cast<int>(source_.size()));
+                    more.try_emplace({v, t, m}, static_cast<int>(source_.size()));
                 if (fresh) {
                     source_.push_back(v);
                     source_uv_.push_back(t);
+                    source_material_.push_back(m);
                 }
                 drawn = found->second;
             }
@@ -52,7 +59,7 @@ SkinDrawing::SkinDrawing(const Scan& scan) {
     adjacency_ = std::make_shared<Adjacency>(welded_mesh_);
 }
 
-void SkinDrawing::fill(SurfaceLayer& layer, const Scan& scan) const {
+void SkinDrawing::fill(SurfaceLayer& layer, const Scan& scan, const SkinTexture* texture) const {
     const auto n = static_cast<Eigen::Index>(source_.size());
     layer.indices = indices_;
     layer.colours.resize(3, scan.colours.cols() > 0 ? n : 0);
@@ -63,8 +70,10 @@ void SkinDrawing::fill(SurfaceLayer& layer, const Scan& scan) const {
     layer.uv.resize(2, uv ? n : 0);
     for (Eigen::Index i = 0; i < layer.uv.cols(); ++i) {
         const int t = source_uv_[static_cast<std::size_t>(i)];
-        layer.uv.col(i) = t >= 0 ? Eigen::Vector2f(scan.uv(0, t), 1.0F - scan.uv(1, t))
-                                 : Eigen::Vector2f(0.0F, 0.0F);
+        layer.uv.col(i) =
+            t >= 0 ? place_in_texture(texture, source_material_[static_cast<std::size_t>(i)],
+                                      scan.uv.col(t))
+                   : Eigen::Vector2f(0.0F, 0.0F);
     }
     layer.positions.resize(3, n);
     layer.normals.resize(3, n);
