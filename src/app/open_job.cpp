@@ -36,7 +36,7 @@ void OpenJob::run() {
     try {
         auto opened =
             std::make_shared<OpenedFace>(open_face(m_path.toStdString(), m_options, &m_progress));
-        if (opened->landmarks) {
+        if (find_missing_landmarks(*opened, &m_progress)) {
             m_result.simulator = make_simulator(*opened, {}, &m_progress);
         }
         m_result.opened = std::move(opened);

@@ -26,7 +26,8 @@ void add_fit(CLI::App& app) {
     command->add_option("--muscles-out", a->muscles, "muscle paths as JSON");
     command->add_option("--bone-out", a->bone, "bone surface as PLY or OBJ");
     command->callback([a] {
-        const OpenedFace opened = a->face.open();
+        OpenedFace opened = a->face.open();
+        find_missing_landmarks(opened);
         const auto simulator = make_simulator(opened);
         write_case(
             a->output, opened,

@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", MYOFACE_VERSION);
     try {
         myoface::cli::add_info(app);
+        myoface::cli::add_landmarks(app);
         myoface::cli::add_generate(app);
         myoface::cli::add_fit(app);
         myoface::cli::add_simulate(app);

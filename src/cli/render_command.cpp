@@ -91,11 +91,12 @@ void render(const Arguments& a) {
     const Plan plan = a.edits.edits();
     Camera camera;
     camera.orientation = standard_view(a.view);
-    const OpenedFace opened = a.face.open();
+    OpenedFace opened = a.face.open();
     FaceScene scene(opened.scan, opened.texture);
     Points shown = opened.scan->mesh.vertices;
     const bool inner = layers.muscles > 0.0F || layers.bone > 0.0F || layers.springs > 0.0F;
     if (inner || !plan.empty() || !opened.rates.empty() || opened.shape.cols() > 0) {
+        find_missing_landmarks(opened);
         const auto simulator = make_simulator(opened);
         run_plan(*simulator, plan);
         scene.set_face(std::make_shared<const FaceModel>(simulator->face()),

@@ -95,7 +95,8 @@ void add_simulate(CLI::App& app) {
             set_thread_count(a->threads);
         }
         const Plan plan = a->edits.edits();
-        const OpenedFace opened = a->face.open();
+        OpenedFace opened = a->face.open();
+        find_missing_landmarks(opened);
         SimulatorOptions options;
         options.solver = a->solver == "explicit"     ? SolverKind::ExplicitEuler
                          : a->solver == "symplectic" ? SolverKind::SymplecticEuler

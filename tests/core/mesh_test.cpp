@@ -105,7 +105,9 @@ TEST(Weld, JoinsSeamsAndDropsWhatHasNoArea) {
     mesh.triangles.col(4) << 0, 0, 1;
     const WeldedMesh welded = weld(mesh);
     EXPECT_EQ(welded.mesh.vertex_count(), 4);
-    EXPECT_EQ(welded.mesh.triangle_count(), 4);
+    EXPECT_EQ(welded.mesh.triangle_count(), 2);
+    EXPECT_EQ(welded.degenerate, 1);
+    EXPECT_EQ(welded.duplicates, 2);
     EXPECT_EQ(welded.of_vertex[0], welded.of_vertex[4]);
 }
 

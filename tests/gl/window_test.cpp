@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The real window with real mouse events.
+#include <algorithm>
+
+#include <QAction>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QSignalSpy>
@@ -141,10 +144,17 @@ TEST_F(Window, TakesAFileThatIsDroppedOnIt) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience));
 }
 
-TEST_F(Window, AsksForLandmarksOfAScanThatHasNone) {
+TEST_F(Window, FindsLandmarksOfAScanThatHasNoneAndTakesThemByHand) {
     std::filesystem::remove(folder_ / "face.landmarks.json");
     open(path_);
-    EXPECT_FALSE(window_.document().model());
+    ASSERT_TRUE(window_.document().model());
+    EXPECT_TRUE(window_.document().opened()->landmarks_detected);
+    const auto actions = window_.findChildren<QAction*>();
+    const auto byHand = std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
+        return action->text().contains(QStringLiteral("by hand"));
+    });
+    ASSERT_NE(byHand, actions.end());
+    (*byHand)->trigger();
     QSignalSpy opened(&window_, &MainWindow::opened);
     const std::vector<std::string> names{"prn",  "sn",   "ls",   "sto",  "li",   "pg",
                                          "en_l", "en_r", "ex_l", "ex_r", "ch_l", "ch_r"};
@@ -159,6 +169,7 @@ TEST_F(Window, AsksForLandmarksOfAScanThatHasNone) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience))
         << window_.lastProblem().toStdString();
     EXPECT_TRUE(window_.document().model());
+    EXPECT_FALSE(window_.document().opened()->landmarks_detected);
     EXPECT_TRUE(settle());
 }
 

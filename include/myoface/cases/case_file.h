@@ -8,6 +8,7 @@
 #include <string>
 
 #include "myoface/base/progress.h"
+#include "myoface/face/face_search.h"
 #include "myoface/face/landmarks.h"
 #include "myoface/io/mesh_file.h"
 #include "myoface/io/skin_texture.h"
@@ -20,7 +21,9 @@ struct OpenedFace {
     std::shared_ptr<const Scan> scan;
     MeshReadReport report;
     std::shared_ptr<const SkinTexture> texture;
-    std::optional<Landmarks> landmarks;   ///< our frame
+    std::optional<Landmarks> landmarks;  ///< our frame
+    bool landmarks_detected = false;     ///< found by the shape of the face, not given
+    std::optional<FacePose> pose;        ///< where the face is on the scan, where it was looked for
     std::map<std::string, double> rates;  ///< muscle name -> contraction, from a case
     std::map<std::string, double> strengths;
     Points shape;            ///< what a case had reshaped: 3×skin nodes, or 3×0
@@ -46,12 +49,16 @@ struct OpenOptions {
     std::optional<KnownDistance> known;  ///< wins over mm_per_unit
 };
 
-/// Opens OBJ, PLY, STL, glTF, a .myoface case, or the word "generic". Without given landmarks a file
-/// STEM.landmarks.json beside the scan, or in ../landmarks, is used when it is there. Unit and axes
-/// that are not given follow the landmarks, or else the face as find_face() sees it.
+/// Opens OBJ, PLY, STL, glTF, a .myoface case, or the word "generic". Without given landmarks a
+/// file STEM.landmarks.json beside the scan, or in ../landmarks, is used when it is there. Unit and
+/// axes that are not given follow the landmarks, or else the face as find_face() sees it.
 /// @throws IoError, InvalidInput
 OpenedFace open_face(const std::string& path, const OpenOptions& options = {},
                      const Progress* progress = nullptr);
+
+/// Finds the landmarks of a face that came without, and says so in its report. A face that is not
+/// sure enough is left without. @return whether there are landmarks now
+bool find_missing_landmarks(OpenedFace& opened, const Progress* progress = nullptr);
 
 /// Fits the opened face and puts a case's settings and shape back.
 /// @throws InvalidInput when there are no landmarks or the fit fails

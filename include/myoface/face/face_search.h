@@ -11,8 +11,8 @@ namespace myoface {
 
 /// Where a face was found on a mesh.
 struct FacePose {
-    Similarity to_generic;  ///< mesh -> size and pose of the average head
-    double quality = 0.0;   ///< share of the average face that lies on the mesh, 0 … 1
+    Similarity to_generic;   ///< mesh -> size and pose of the average head
+    double quality = 0.0;    ///< share of the average face that lies on the mesh, 0 … 1
     double runner_up = 0.0;  ///< quality of the best clearly different pose
 };
 

@@ -13,6 +13,7 @@
 #include "myoface/base/error.h"
 #include "myoface/face/face_search.h"
 #include "myoface/face/generic_face.h"
+#include "myoface/face/landmark_detection.h"
 #include "myoface/io/text_file.h"
 
 namespace myoface {
@@ -240,15 +241,23 @@ double calibrated_unit(const KnownDistance& known, const Scan& scan,
 /// Looks for the face and takes unit and axes from it where they are not given; a face that is not
 /// found leaves what the size of the scan implies.
 std::optional<FrameGuess> settle_frame(Scan& scan, const OpenOptions& options,
-                                       const Progress* progress) {
-    const std::optional<FacePose> pose = find_face(scan.mesh, progress);
+                                       std::optional<FacePose>& pose, const Progress* progress) {
+    pose = find_face(scan.mesh, progress);
     if (!pose || confidence_of(*pose) <= 0.0) {
         return std::nullopt;
     }
     FrameGuess guess = guess_frame(scan, *pose);
+    const FileFrame before = scan.frame;
     set_frame(scan, {options.mm_per_unit.value_or(guess.frame.mm_per_unit),
                      options.axes.value_or(guess.frame.axes)});
+    pose->to_generic.scale *= before.mm_per_unit / scan.frame.mm_per_unit;
+    pose->to_generic.rotation *= before.axes * scan.frame.axes.transpose();
     return guess;
+}
+
+/// Puts what should be looked at before what is merely told.
+void warn(MeshReadReport& report, std::string sentence) {
+    report.notes.insert(report.notes.begin(), std::move(sentence));
 }
 
 /// Says how unit and axes came about and how sure they are.
@@ -261,19 +270,20 @@ void report_frame(MeshReadReport& report, const std::optional<FrameGuess>& guess
         report.unit_is_guess || report.axes_are_guess ? (landmarks ? 0.95 : found) : 1.0;
     report.needs_calibration = report.unit == "other" && !options.mm_per_unit;
     if (report.needs_calibration) {
-        report.notes.emplace_back(
-            report.unit_is_guess
-                ? "The unit is none of m, dm, cm, mm and in: the size of an average face was "
-                  "taken, "
-                  "which may be off by a tenth. Calibrate it with a known distance."
-                : "The unit is none of m, dm, cm, mm and in: the size is what the landmark file "
-                  "says. Check it with a known distance.");
+        warn(report,
+             report.unit_is_guess
+                 ? "The unit is none of m, dm, cm, mm and in: the size of an average face was "
+                   "taken, "
+                   "which may be off by a tenth. Calibrate it with a known distance."
+                 : "The unit is none of m, dm, cm, mm and in: the size is what the landmark file "
+                   "says. Check it with a known distance.");
     }
     if (report.frame_confidence < 0.5 && (report.unit_is_guess || report.axes_are_guess)) {
-        report.notes.emplace_back(
-            guess ? "Whether this is a face, and which way it looks, is not sure: check unit and "
-                    "axes."
-                  : "No face was found by its shape: unit and axes are taken from the size alone.");
+        warn(report,
+             guess
+                 ? "Whether this is a face, and which way it looks, is not sure: check unit and "
+                   "axes."
+                 : "No face was found by its shape: unit and axes are taken from the size alone.");
     }
 }
 
@@ -368,7 +378,7 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     }
     const std::optional<FrameGuess> guess = landmarks || (settled.mm_per_unit && settled.axes)
                                                 ? std::nullopt
-                                                : settle_frame(*scan, settled, progress);
+                                                : settle_frame(*scan, settled, face.pose, progress);
     face.report = describe(*scan);
     report_frame(face.report, guess, landmarks, settled);
     std::string note;
@@ -383,12 +393,35 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     return face;
 }
 
+bool find_missing_landmarks(OpenedFace& opened, const Progress* progress) {
+    constexpr double kSureEnough = 0.4;
+    if (opened.landmarks) {
+        return true;
+    }
+    try {
+        DetectedLandmarks found =
+            detect_landmarks(opened.scan->mesh, opened.pose ? &*opened.pose : nullptr, progress);
+        if (found.confidence < kSureEnough) {
+            return false;
+        }
+        opened.landmarks = std::move(found.landmarks);
+        opened.landmarks_detected = true;
+        warn(opened.report, "The landmarks were found by the shape of the face, " +
+                                std::to_string(static_cast<int>(100.0 * found.confidence)) +
+                                " % sure. Look whether eyes and mouth fit, and place them by hand "
+                                "where they do not.");
+        return true;
+    } catch (const InvalidInput&) {
+        return false;
+    }
+}
+
 std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened, const SimulatorOptions& options,
                                           const Progress* progress) {
     if (!opened.landmarks) {
         throw InvalidInput(opened.name +
-                           ": no landmarks are known for this scan; give a landmark file with "
-                           "--landmarks, or place the points in the window.");
+                           ": no face was found on this scan by its shape; give a landmark file "
+                           "with --landmarks, or place the points in the window.");
     }
     auto simulator =
         std::make_unique<Simulator>(fit_face(opened.scan, *opened.landmarks, progress), options);

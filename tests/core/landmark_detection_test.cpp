@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/face/landmark_detection.h"
+
+#include <algorithm>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "myoface/base/error.h"
+#include "myoface/cases/case_file.h"
+#include "myoface/face/generic_face.h"
+#include "myoface/io/mesh_file.h"
+
+#include "test_meshes.h"
+
+namespace myoface {
+namespace {
+
+/// Distances of what was found from the truth, of the points that the front of a face has.
+std::vector<double> errors(const Landmarks& found, const Landmarks& truth) {
+    std::vector<double> result;
+    for (const char* name :
+         {"prn", "sn", "en_l", "en_r", "ex_l", "ex_r", "ch_l", "ch_r", "ls", "li", "sto", "pg"}) {
+        const auto at = found.find(name);
+        result.push_back(
+            at == found.end() ? 99.0 : (at->second.position - truth.at(name).position).norm());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+TEST(LandmarkDetection, FindsThoseOfTheAverageHead) {
+    const auto found = detect_landmarks(test::small_face().scan.mesh);
+    const auto error = errors(found.landmarks, test::small_face().landmarks);
+    EXPECT_LT(error[error.size() / 2], 1.5);
+    EXPECT_LT(error.back(), 5.0);
+    EXPECT_GT(found.confidence, 0.8);
+}
+
+TEST(LandmarkDetection, FindsThoseOfOthersInAnyTurn) {
+    std::mt19937 random(17);
+    std::normal_distribution<double> normal;
+    std::vector<double> all;
+    for (const std::uint32_t seed : {21U, 22U, 23U, 24U, 25U, 26U}) {
+        GenericFaceOptions options;
+        options.vertices = 5000;
+        options.seed = seed;
+        options.sex = seed % 2 == 0 ? Sex::Female : Sex::Male;
+        const GenericFace face = make_generic_face(options);
+        const Mat3 turn =
+            Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+                .normalized()
+                .toRotationMatrix();
+        TriangleMesh mesh = face.scan.mesh;
+        Landmarks truth = face.landmarks;
+        mesh.vertices = (turn * mesh.vertices).eval();
+        for (auto& [name, landmark] : truth) {
+            landmark.position = turn * landmark.position;
+        }
+        const auto error = errors(detect_landmarks(mesh).landmarks, truth);
+        all.insert(all.end(), error.begin(), error.end());
+    }
+    std::sort(all.begin(), all.end());
+    EXPECT_LT(all[all.size() / 2], 2.5);
+    EXPECT_LT(all[all.size() * 9 / 10], 6.0);
+}
+
+TEST(LandmarkDetection, RefusesWhatIsNoFace) {
+    EXPECT_THROW(detect_landmarks(test::sphere(100.0, 40, 60)), InvalidInput);
+    EXPECT_THROW(detect_landmarks(test::grid(40, 5.0)), InvalidInput);
+}
+
+TEST(LandmarkDetection, MakesAScanWithoutLandmarksAFace) {
+    const test::TemporaryFolder folder;
+    const Scan& scan = test::small_face().scan;
+    write_mesh(folder / "a.obj", scan, scan.mesh.vertices);
+    OpenedFace face = open_face((folder / "a.obj").string());
+    ASSERT_FALSE(face.landmarks.has_value());
+    EXPECT_TRUE(find_missing_landmarks(face));
+    EXPECT_TRUE(face.landmarks_detected);
+    EXPECT_EQ(make_simulator(face)->face().muscles.size(), 40U);
+
+    write_mesh(folder / "ball.obj", test::scan_of(test::sphere(100.0)),
+               test::sphere(100.0).vertices);
+    OpenedFace ball = open_face((folder / "ball.obj").string());
+    EXPECT_FALSE(find_missing_landmarks(ball));
+    EXPECT_THROW(make_simulator(ball), InvalidInput);
+}
+
+}  // namespace
+}  // namespace myoface
