@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nanoflann.hpp>
 #include <numbers>
 
 #include <Eigen/Cholesky>
@@ -14,6 +13,7 @@
 #include "myoface/io/mesh_file.h"
 
 #include "face_template.h"
+#include "point_tree.h"
 #include "surface_samples.h"
 
 namespace myoface {
@@ -323,26 +323,10 @@ std::vector<Hypothesis> search(const SizedSamples& samples) {
     return found;
 }
 
-struct PointsForTree {
-    const Points& points;
-    std::size_t kdtree_get_point_count() const { return static_cast<std::size_t>(points.cols()); }
-    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-        return points(static_cast<Eigen::Index>(axis), static_cast<Eigen::Index>(i));
-    }
-    template <typename Box>
-    bool kdtree_get_bbox(Box&) const {
-        return false;
-    }
-};
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointsForTree>,
-                                        PointsForTree, 3>;
-
 /// Registration on all samples, in the mesh's own unit.
 class FineFit {
 public:
-    explicit FineFit(const SurfaceSamples& samples)
-        : samples_(samples), cloud_{samples.points}, tree_(3, cloud_, {12}) {}
+    explicit FineFit(const SurfaceSamples& samples) : samples_(samples), tree_(samples.points) {}
 
     void refine(Hypothesis& hypothesis) const {
         const FaceTemplate& face = face_template();
@@ -388,8 +372,7 @@ private:
         for (Eigen::Index i = 0; i < face.points.cols(); ++i) {
             const Vec3 p = place(Vec3(face.points.col(i)));
             const Vec3 normal = place.rotation * face.normals.col(i);
-            const std::size_t count =
-                tree_.knnSearch(p.data(), kNear, index.data(), distance.data());
+            const std::size_t count = tree_.nearest(p.data(), kNear, index.data(), distance.data());
             int best = -1;
             double least = 0.0;
             for (std::size_t k = 0; k < count; ++k) {
@@ -407,8 +390,7 @@ private:
     }
 
     const SurfaceSamples& samples_;
-    PointsForTree cloud_;
-    Tree tree_;
+    PointTree<3> tree_;
 };
 
 /// Whether two places of the head are about the same.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <nanoflann.hpp>
 #include <optional>
 
 #include <Eigen/Geometry>
@@ -18,6 +17,7 @@
 #include "myoface/mesh/bvh.h"
 
 #include "face_template.h"
+#include "point_tree.h"
 #include "surface_samples.h"
 
 namespace myoface {
@@ -57,21 +57,6 @@ Features features_of(const Points& points, const Points& normals) {
     features << points, kTurnCost * normals;
     return features;
 }
-
-struct FeaturesForTree {
-    const Features& features;
-    std::size_t kdtree_get_point_count() const { return static_cast<std::size_t>(features.cols()); }
-    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-        return features(static_cast<Eigen::Index>(axis), static_cast<Eigen::Index>(i));
-    }
-    template <typename Box>
-    bool kdtree_get_bbox(Box&) const {
-        return false;
-    }
-};
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, FeaturesForTree>,
-                                        FeaturesForTree, 6>;
 
 /// A smooth displacement through the first points of the template, which are approached the more
 /// closely the smaller `smoothing` [mm]. The centres stay, so one factorization serves many
@@ -145,8 +130,7 @@ public:
     explicit Bender(const SurfaceSamples& samples)
         : samples_(samples),
           features_(features_of(samples.points, samples.normals)),
-          cloud_{features_},
-          tree_(6, cloud_, {12}) {}
+          tree_(features_) {}
 
     Fitted fit(const Progress* progress) const {
         const auto report = [&](double share) {
@@ -202,7 +186,7 @@ private:
         query << p, kTurnCost * normal;
         std::uint32_t index = 0;
         double distance = 0.0;
-        const bool found = tree_.knnSearch(query.data(), 1, &index, &distance) == 1 &&
+        const bool found = tree_.nearest(query.data(), 1, &index, &distance) == 1 &&
                            samples_.normals.col(index).dot(normal) > 0.5;
         if (apart != nullptr) {
             *apart = distance;
@@ -262,8 +246,7 @@ private:
 
     const SurfaceSamples& samples_;
     Features features_;
-    FeaturesForTree cloud_;
-    Tree tree_;
+    PointTree<6> tree_;
 };
 
 /// Depth of the face over a grid in its own front view [mm].
