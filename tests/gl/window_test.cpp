@@ -3,9 +3,13 @@
 #include <algorithm>
 
 #include <QAction>
+#include <QApplication>
 #include <QDropEvent>
+#include <QInputDialog>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QTimer>
 #include <QtTest>
 #include <gtest/gtest.h>
 
@@ -142,6 +146,47 @@ TEST_F(Window, TakesAFileThatIsDroppedOnIt) {
     QDropEvent event(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     static_cast<QObject&>(window_).event(&event);
     EXPECT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience));
+}
+
+TEST_F(Window, TurnsAScanByAQuarterAndKeepsItsLandmarks) {
+    open(path_);
+    QSignalSpy opened(&window_, &MainWindow::opened);
+    for (QPushButton* button : window_.findChildren<QPushButton*>()) {
+        if (button->text() == QStringLiteral("Nod")) {
+            button->click();
+        }
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience))
+        << window_.lastProblem().toStdString();
+    const OpenedFace& face = *window_.document().opened();
+    EXPECT_EQ(face.report.axes, "+x+z-y");
+    EXPECT_EQ(face.landmarks->size(), test::small_face().landmarks.size());
+    EXPECT_TRUE(window_.document().model());
+}
+
+TEST_F(Window, CalibratesByTwoClicksAndADistance) {
+    open(path_);
+    QSignalSpy opened(&window_, &MainWindow::opened);
+    for (QPushButton* button : window_.findChildren<QPushButton*>()) {
+        if (button->text().startsWith(QStringLiteral("Calibrate"))) {
+            button->click();
+        }
+    }
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, [&] {
+        if (auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget())) {
+            answer.stop();
+            dialog->setDoubleValue(40.0);
+            dialog->accept();
+        }
+    });
+    answer.start(50);
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, pixel("en_l"));
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, pixel("en_r"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience))
+        << window_.lastProblem().toStdString();
+    const Landmarks& l = *window_.document().opened()->landmarks;
+    EXPECT_NEAR((l.at("en_l").position - l.at("en_r").position).norm(), 40.0, 1.5);
 }
 
 TEST_F(Window, FindsLandmarksOfAScanThatHasNoneAndTakesThemByHand) {
