@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -124,6 +125,37 @@ struct Fitted {
     Eigen::VectorXd distance;  ///< of each point of the template from the scan [mm], large for none
 };
 
+/// How far the proportions of a bent face leave those of people: 0 within about three standard
+/// deviations of the norms, growing beyond. @cite weinberg_2016
+double oddness(const std::function<Vec3(const std::string&)>& place) {
+    constexpr double kUsual = 0.22;  // logarithm of a length over that of the average head
+    static constexpr std::array<std::pair<const char*, const char*>, 8> kLengths{
+        {{"se", "sn"},
+         {"sn", "sto"},
+         {"sto", "pg"},
+         {"sn", "pg"},
+         {"en_l", "en_r"},
+         {"ex_l", "ex_r"},
+         {"ch_l", "ch_r"},
+         {"al_l", "al_r"}}};
+    const Landmarks& average = generic_landmarks();
+    std::array<double, kLengths.size()> ratio{};
+    for (std::size_t k = 0; k < kLengths.size(); ++k) {
+        const auto [from, to] = kLengths[k];
+        ratio[k] = std::log(std::max((place(from) - place(to)).norm(), 0.1) /
+                            (average.at(from).position - average.at(to).position).norm());
+    }
+    // The size of the whole does not matter.
+    std::array<double, kLengths.size()> sorted = ratio;
+    std::sort(sorted.begin(), sorted.end());
+    const double middle = 0.5 * (sorted[sorted.size() / 2 - 1] + sorted[sorted.size() / 2]);
+    double odd = 0.0;
+    for (const double r : ratio) {
+        odd += std::max(0.0, std::abs(r - middle) - kUsual);
+    }
+    return odd;
+}
+
 /// Bends the template onto samples, coarse to fine.
 class Bender {
 public:
@@ -142,18 +174,21 @@ public:
         // A long or short face, or one that looks up, draws the fit into another fold of the lips:
         // several beginnings, the one that lies best goes on.
         Points best;
-        double most = -1.0;
+        double most = -1e9;
         for (const double pitch : {0.0, 14.0, -14.0}) {
             for (const double length : {1.0, 1.13, 1.27}) {
-                report(most < 0.0 ? 0.0 : 0.2);
+                report(best.cols() == 0 ? 0.0 : 0.2);
                 const Mat3 turn =
                     Eigen::AngleAxisd(pitch / 57.2958, Vec3::UnitX()).toRotationMatrix() *
                     Vec3(1.0, length, 1.0).asDiagonal();
                 Points now = (turn * (face.points.colwise() - face.tip)).colwise() + face.tip;
+                std::unique_ptr<Bend> bent;
                 for (std::size_t level = 0; level < kBeginnings; ++level) {
-                    bend(kLevels[level], now);
+                    bent = bend(kLevels[level], now);
                 }
-                const double lies = agreement(now);
+                const double lies = agreement(now) - oddness([&](const std::string& name) {
+                                        return (*bent)(generic_landmarks().at(name).position);
+                                    });
                 if (lies > most) {
                     most = lies;
                     best = std::move(now);
@@ -362,6 +397,10 @@ DetectedLandmarks detect_landmarks(const TriangleMesh& mesh, const FacePose* kno
     std::nth_element(distances.begin(), middle, distances.end());
     result.residual_mm = *middle / pose->to_generic.scale;
 
+    // Proportions that nobody has mean that the fit went astray.
+    result.confidence *= std::exp(-4.0 * oddness([&](const std::string& name) {
+        return (*fitted.bend)(generic_landmarks().at(name).position);
+    }));
     const FaceTemplate& face = face_template();
     const Bvh bvh(part);
     const Similarity back = pose->to_generic.inverse();
