@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <locale>
 #include <sstream>
 #include <zip.h>
@@ -174,7 +173,7 @@ OpenedFace open_case(const std::string& path, const OpenOptions& options,
         throw IoError(path + ": the shape of the skin is damaged.");
     }
     face.shape.resize(3, static_cast<Eigen::Index>(shape.size() / (3 * sizeof(double))));
-    std::memcpy(face.shape.data(), shape.data(), shape.size());
+    std::copy_n(shape.data(), shape.size(), reinterpret_cast<char*>(face.shape.data()));
     if (!face.shape.allFinite()) {
         throw IoError(path + ": the shape of the skin is damaged.");
     }
