@@ -364,7 +364,7 @@ void MainWindow::askDistance(double measured) {
 }
 
 void MainWindow::reopen(const OpenOptions& options) {
-    if (!m_document.undoStack()->isClean() &&
+    if (m_document.undoStack()->index() > 0 &&
         QMessageBox::question(this, tr("Change unit or axes"),
                               tr("The face is fitted anew, which ends the changes made to its "
                                  "shape and muscles. Go on?")) != QMessageBox::Yes) {

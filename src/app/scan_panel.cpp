@@ -150,7 +150,9 @@ void ScanPanel::setFace(const OpenedFace& face, const FaceModel* model, int spri
     }
     m_unit->setCurrentIndex(current);
     QString how = tr("The file's axes: %1.").arg(axesInWords(r.axes));
-    if (r.unit_is_guess || r.axes_are_guess) {
+    if (r.unit_is_guess && !r.axes_are_guess && r.frame_confidence == 1.0) {
+        how += QStringLiteral(" ") + tr("The unit follows from the landmarks.");
+    } else if (r.unit_is_guess || r.axes_are_guess) {
         how += QStringLiteral(" ") + tr("Found by the shape of the face, %1 % sure.")
                                          .arg(std::lround(100.0 * r.frame_confidence));
     }

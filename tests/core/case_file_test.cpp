@@ -121,6 +121,20 @@ TEST(OpenFace, IsCalibratedByAKnownDistance) {
     }
 }
 
+TEST(CaseFile, CarriesTheShapeIntoAnotherFrame) {
+    const test::TemporaryFolder folder;
+    OpenedFace face = open_face("generic");
+    CaseState state;
+    state.shape = Points::Zero(3, 5);
+    state.shape.col(2) << 0.0, 2.0, 0.0;
+    write_case(folder / "c.myoface", face, state);
+    OpenOptions options;
+    options.mm_per_unit = 10.0 * face.scan->frame.mm_per_unit;
+    options.axes = axes_from_text("+x-z+y");  // the file's y is our -z
+    const OpenedFace back = open_face((folder / "c.myoface").string(), options);
+    EXPECT_TRUE(back.shape.col(2).isApprox(Vec3(0.0, 0.0, -20.0)));
+}
+
 TEST(CaseFile, KeepsMaterialsAndPictures) {
     const test::TemporaryFolder folder;
     write_png(folder / "skin.png", {1, 1, {200, 150, 130, 255}});

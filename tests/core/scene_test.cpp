@@ -95,5 +95,16 @@ TEST(SkinDrawing, SplitsVerticesAtTextureSeamsOnly) {
     EXPECT_EQ(SkinDrawing(scan).drawn_count(), 5);
 }
 
+TEST(FaceScene, LeavesLoosePartsOutAndTakesThemBack) {
+    FaceScene scene(std::make_shared<const Scan>(test::small_face().scan), nullptr);
+    const auto all = scene.scene().skin.indices;
+    scene.show_loose_parts(false);
+    EXPECT_EQ(scene.scene().skin.indices.size(),
+              3 * static_cast<std::size_t>(test::small_face().scan.findings.parts[0].triangles));
+    EXPECT_LT(scene.scene().skin.indices.size(), all.size());  // without the eyeballs
+    scene.show_loose_parts(true);
+    EXPECT_EQ(scene.scene().skin.indices, all);
+}
+
 }  // namespace
 }  // namespace myoface

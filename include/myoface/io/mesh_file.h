@@ -32,7 +32,7 @@ struct MeshReadReport {
     bool needs_calibration = false;  ///< no usual unit makes it the size of a face
     std::string axes;                ///< where the file's x, y and z point, as "+x+y+z"
     bool axes_are_guess = false;
-    double frame_confidence = 1.0;  ///< of unit and axes, 0 … 1; 1 when they were given
+    double frame_confidence = 1.0;  ///< of a search by shape, 0 … 1; 1 where none was needed
     Vec3 size_mm = Vec3::Zero();
     std::vector<std::string> notes;  ///< sentences for a person
 };

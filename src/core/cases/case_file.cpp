@@ -151,6 +151,7 @@ OpenedFace open_case(const std::string& path, const OpenOptions& options,
     if (!(*read.mm_per_unit > 1e-6 && *read.mm_per_unit < 1e6) || !turn) {
         throw IoError(path + ": its unit or axes are damaged.");
     }
+    const FileFrame kept{*read.mm_per_unit, *read.axes};
     if (options.mm_per_unit) {
         read.mm_per_unit = options.mm_per_unit;
     }
@@ -177,6 +178,10 @@ OpenedFace open_case(const std::string& path, const OpenOptions& options,
     if (!face.shape.allFinite()) {
         throw IoError(path + ": the shape of the skin is damaged.");
     }
+    // The shape was kept in the frame of its time.
+    const Mat3 change =
+        scan->frame.mm_per_unit / kept.mm_per_unit * scan->frame.axes * kept.axes.transpose();
+    face.shape = (change * face.shape).eval();
     face.report = describe(*scan);
     face.scan = std::move(scan);
     return face;
@@ -264,20 +269,18 @@ void report_frame(MeshReadReport& report, const std::optional<FrameGuess>& guess
                   const std::optional<LandmarkFile>& landmarks, const OpenOptions& options) {
     report.unit_is_guess = !options.mm_per_unit && !(landmarks && landmarks->mm_per_unit);
     report.axes_are_guess = !options.axes && !landmarks;
-    const double found = guess ? guess->confidence : 0.0;
-    report.frame_confidence =
-        report.unit_is_guess || report.axes_are_guess ? (landmarks ? 0.95 : found) : 1.0;
+    const bool searched = !landmarks && (report.unit_is_guess || report.axes_are_guess);
+    report.frame_confidence = !searched ? 1.0 : guess ? guess->confidence : 0.0;
     report.needs_calibration = report.unit == "other" && !options.mm_per_unit;
     if (report.needs_calibration) {
         warn(report,
              report.unit_is_guess
                  ? "The unit is none of m, dm, cm, mm and in: the size of an average face was "
-                   "taken, "
-                   "which may be off by a tenth. Calibrate it with a known distance."
+                   "taken, which may be off by a tenth. Calibrate it with a known distance."
                  : "The unit is none of m, dm, cm, mm and in: the size is what the landmark file "
                    "says. Check it with a known distance.");
     }
-    if (report.frame_confidence < 0.5 && (report.unit_is_guess || report.axes_are_guess)) {
+    if (report.frame_confidence < 0.5) {
         warn(report,
              guess
                  ? "Whether this is a face, and which way it looks, is not sure: check unit and "
