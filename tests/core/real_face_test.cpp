@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // On real faces, where their folder is there; skipped elsewhere.
 #include <array>
-#include <chrono>
+#include <functional>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -133,28 +133,35 @@ TEST_F(RealFace, TellsUnitAndAxesByItself) {
     EXPECT_NEAR((l.at("en_l").position - l.at("en_r").position).norm(), 33.0, 1e-9);
 }
 
-TEST_F(RealFace, FilesOfAllKindsAreReadOrRefusedWithASentence) {
+/// Every odd file is taken whole or refused with a sentence that names it; a hang ends in the
+/// runner's time limit.
+void try_all(const std::filesystem::path& folder,
+             const std::function<Scan(const std::filesystem::path&)>& read) {
     int files = 0;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(folder_ / "bad_inputs")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         const std::string extension = entry.path().extension().string();
         if (!entry.is_regular_file() || extension == ".mtl" || extension == ".csv") {
             continue;
         }
         ++files;
-        const auto start = std::chrono::steady_clock::now();
         try {
-            const OpenedFace face = open_face(entry.path().string());
-            EXPECT_TRUE(face.scan->mesh.vertices.allFinite());
+            EXPECT_TRUE(read(entry.path()).mesh.vertices.allFinite());
         } catch (const Error& error) {
             EXPECT_NE(std::string(error.what()).find(entry.path().filename().string()),
                       std::string::npos)
                 << error.what();
         }
-        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5))
-            << entry.path();
     }
     EXPECT_GT(files, 40);
+}
+
+TEST_F(RealFace, FilesOfAllKindsAreReadOrRefusedWithASentence) {
+    try_all(folder_ / "bad_inputs", [](const auto& file) { return read_mesh(file); });
+}
+
+TEST_F(RealFace, OddFilesOpenOrAreRefusedWithASentence) {
+    try_all(folder_ / "bad_inputs",
+            [](const auto& file) { return Scan(*open_face(file.string()).scan); });
 }
 
 }  // namespace

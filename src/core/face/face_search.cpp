@@ -20,6 +20,7 @@ namespace myoface {
 namespace {
 
 constexpr int kSamples = 40000;
+constexpr int kFewestVertices = 60;  // of anything that can have eyes, nose and mouth
 constexpr double kSmallest = 120.0;  // [mm] assumed size of the whole mesh: a tight crop …
 constexpr double kLargest = 2300.0;  // … to a standing person
 constexpr double kSizeStep = 1.22;
@@ -491,6 +492,9 @@ std::optional<FacePose> find_face(const TriangleMesh& mesh, const Progress* prog
         }
     };
     report(0.0);
+    if (mesh.vertex_count() < kFewestVertices) {
+        return std::nullopt;  // a cube from a sample file: nothing to look for
+    }
     const SurfaceSamples samples = sample_surface(mesh, kSamples);
     if (samples.points.cols() < 1000) {
         return std::nullopt;
