@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <sstream>
@@ -20,6 +21,8 @@ struct Arguments {
     EditArguments edits;
     std::string view = "front", layers = "skin", heatmap, size = "1200x1200", output;
     double heatmap_max = 0.0;
+    std::string focus;
+    double span = 90.0;
     bool whole = false;
     bool no_loose_parts = false;
 };
@@ -63,6 +66,19 @@ std::vector<double> distances(const Points& here, const std::string& other_file,
                  : bvh.closest_point(other.mesh, here.col(v)).distance;
     }
     return result;
+}
+
+/// Close-up: a landmark in the middle, `span` mm from top to bottom.
+void frame_landmark(Camera& camera, const OpenedFace& opened, const std::string& name,
+                    double span) {
+    if (!(span >= 5.0 && span <= 1000.0)) {
+        throw InvalidInput("The span must lie between 5 and 1000 mm.");
+    }
+    if (!opened.landmarks || opened.landmarks->count(name) == 0) {
+        throw InvalidInput("There is no landmark '" + name + "' on this face to look at.");
+    }
+    camera.target = opened.landmarks->at(name).position;
+    camera.distance = 0.5 * span / std::tan(0.5 * camera.field_of_view);
 }
 
 void frame_face(Camera& camera, const OpenedFace& opened, bool whole, double aspect) {
@@ -118,7 +134,12 @@ void render(const Arguments& a) {
         scene.paint(values);
         std::fprintf(stderr, "Heat map: dark blue 0 mm to yellow %.2f mm.\n", most);
     }
-    frame_face(camera, opened, a.whole, static_cast<double>(width) / height);
+    if (a.focus.empty()) {
+        frame_face(camera, opened, a.whole, static_cast<double>(width) / height);
+    } else {
+        find_missing_landmarks(opened);
+        frame_landmark(camera, opened, a.focus, a.span);
+    }
     write_png(a.output, draw_picture(scene.scene(), camera, width, height));
 }
 
@@ -137,6 +158,8 @@ void add_render(CLI::App& app) {
     command->add_option("--size", a->size, "WIDTHxHEIGHT");
     command->add_flag("--no-loose-parts", a->no_loose_parts,
                       "leave out what does not hang together with the face");
+    command->add_option("--focus", a->focus, "landmark in the middle: a close-up");
+    command->add_option("--span", a->span, "height of a close-up [mm]");
     command->add_flag("--whole", a->whole, "show the whole scan, not the head only");
     command->add_option("-o", a->output, "PNG file")->required();
     command->callback([a] { render(*a); });

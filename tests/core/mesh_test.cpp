@@ -132,8 +132,8 @@ TEST(Remesh, GivesEvenTrianglesOfTheWantedSize) {
                    Eigen::AlignedBox3d(Vec3::Constant(-13.0), Vec3::Constant(13.0)), 1.5);
     RemeshOptions options;
     options.edge_length = [](const Vec3&) { return 2.0; };
-    options.project = [](const Vec3& p, bool) { return Vec3(10.0 * p.normalized()); };
-    const TriangleMesh even = remesh(rough, options);
+    options.project = [](const Vec3& p, int) { return Vec3(10.0 * p.normalized()); };
+    const TriangleMesh even = remesh(rough, options).mesh;
     const Adjacency adjacency(even);
     EXPECT_TRUE(boundary_loops(even, adjacency).empty());
     double sum = 0.0;

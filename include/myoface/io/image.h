@@ -22,6 +22,9 @@ Image read_image(const std::filesystem::path& file);
 /// The same from memory; `name` stands in messages. @throws IoError
 Image read_image_bytes(const std::string& bytes, const std::string& name);
 
+/// A JPEG of the picture, opacity left out. @param quality 1 … 100
+std::string encode_jpeg(const Image& image, int quality);
+
 /// Writes a PNG, whole or not at all. @throws IoError
 void write_png(const std::filesystem::path& file, const Image& image);
 

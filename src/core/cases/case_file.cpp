@@ -290,7 +290,10 @@ void report_frame(MeshReadReport& report, const std::optional<FrameGuess>& guess
 }
 
 OpenedFace open_generic() {
-    GenericFace generic = make_generic_face();
+    GenericFaceOptions options;
+    options.vertices = 24000;
+    options.picture = 1536;
+    GenericFace generic = make_generic_face(options);
     OpenedFace face;
     face.name = face.scan_name = "generic.ply";
     face.landmarks = std::move(generic.landmarks);

@@ -6,7 +6,7 @@
 
 #include "myoface/face/generic_face.h"
 
-#include "head_field.h"
+#include "head/head_mesh.h"
 
 namespace myoface {
 namespace {
@@ -28,7 +28,7 @@ Vec3 gradient(const HeadField& head, const Vec3& p) {
 }
 
 FaceTemplate build() {
-    const HeadField head;
+    const HeadField& head = average_head();
     const Landmarks& landmarks = generic_landmarks();
     const Vec3 tip = landmarks.at("prn").position;
     const double top = landmarks.at("en_l").position.y() + kForehead;
@@ -65,7 +65,7 @@ FaceTemplate build() {
         const Vec3 p = face.points.col(i);
         face.normals.col(i) = gradient(head, p);
         const bool eye =
-            (Vec3(std::abs(p.x()), p.y(), p.z()) - HeadField::eye_centre()).norm() < 19.0;
+            (Vec3(std::abs(p.x()), p.y(), p.z()) - head.eye_centre()).norm() < 19.0;
         face.weights[i] = eye ? 0.3 : (p - tip).norm() < 75.0 ? 1.0 : 0.5;
     }
     face.tip = tip;

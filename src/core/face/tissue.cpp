@@ -12,15 +12,10 @@
 #include "myoface/face/smooth_warp.h"
 #include "myoface/io/text_file.h"
 
-#include "head_field.h"
+#include "head/head_mesh.h"
 
 namespace myoface {
 namespace {
-
-const HeadField& average_head() {
-    static const HeadField kHead;
-    return kHead;
-}
 
 double smooth_step(double edge0, double edge1, double x) {
     const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);

@@ -2,6 +2,7 @@
 #include "myoface/io/image.h"
 
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
 #include <jpeglib.h>
 #include <png.h>
@@ -100,6 +101,34 @@ Image read_image_bytes(const std::string& bytes, const std::string& name) {
 
 Image read_image(const std::filesystem::path& file) {
     return read_image_bytes(read_file(file), file.string());
+}
+
+std::string encode_jpeg(const Image& image, int quality) {
+    jpeg_compress_struct info{};
+    jpeg_error_mgr errors;
+    info.err = jpeg_std_error(&errors);  // writing to memory: only running out of it can fail
+    jpeg_create_compress(&info);
+    unsigned char* bytes = nullptr;
+    unsigned long size = 0;  // NOLINT: the library's own type
+    jpeg_mem_dest(&info, &bytes, &size);
+    info.image_width = static_cast<JDIMENSION>(image.width);
+    info.image_height = static_cast<JDIMENSION>(image.height);
+    info.input_components = 4;
+    info.in_color_space = JCS_EXT_RGBA;
+    jpeg_set_defaults(&info);
+    jpeg_set_quality(&info, quality, TRUE);
+    jpeg_start_compress(&info, TRUE);
+    const std::size_t stride = 4 * static_cast<std::size_t>(image.width);
+    while (info.next_scanline < info.image_height) {
+        // The library's interface is not const-correct; it only reads.
+        auto* row = const_cast<JSAMPROW>(image.rgba.data() + stride * info.next_scanline);
+        jpeg_write_scanlines(&info, &row, 1);
+    }
+    jpeg_finish_compress(&info);
+    std::string result(reinterpret_cast<const char*>(bytes), size);
+    jpeg_destroy_compress(&info);
+    std::free(bytes);
+    return result;
 }
 
 void write_png(const std::filesystem::path& file, const Image& image) {

@@ -22,15 +22,16 @@ class Surface {
 public:
     Surface(const TriangleMesh& mesh, const RemeshOptions& options) : options_(options) {
         for (int v = 0; v < mesh.vertex_count(); ++v) {
-            add_vertex(mesh.vertices.col(v), false);
+            add_vertex(mesh.vertices.col(v),
+                       options.lines.empty() ? kFreeVertex : options.lines[v]);
         }
         for (int t = 0; t < mesh.triangle_count(); ++t) {
             add_triangle({mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t)});
         }
         const Adjacency adjacency(mesh);
         for (const MeshEdge& edge : adjacency.edges()) {
-            if (edge.triangle_count == 1) {
-                border_[edge.vertices[0]] = border_[edge.vertices[1]] = true;
+            if (edge.triangle_count == 1 && options.lines.empty()) {
+                line_[edge.vertices[0]] = line_[edge.vertices[1]] = 1;
             }
         }
     }
@@ -102,8 +103,9 @@ public:
         });
     }
 
-    TriangleMesh mesh() const {
-        TriangleMesh result;
+    RemeshedSurface surface() const {
+        RemeshedSurface surface;
+        TriangleMesh& result = surface.mesh;
         std::vector<int> number(positions_.size(), -1);
         std::vector<Eigen::Vector3i> kept;
         for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -119,9 +121,11 @@ public:
             n = n == 0 ? count++ : -1;
         }
         result.vertices.resize(3, count);
+        surface.lines.resize(static_cast<std::size_t>(count));
         for (std::size_t v = 0; v < number.size(); ++v) {
             if (number[v] >= 0) {
                 result.vertices.col(number[v]) = positions_[v];
+                surface.lines[number[v]] = line_[v];
             }
         }
         result.triangles.resize(3, static_cast<Eigen::Index>(kept.size()));
@@ -130,7 +134,7 @@ public:
                 result.triangles(c, static_cast<Eigen::Index>(t)) = number[kept[t][c]];
             }
         }
-        return result;
+        return surface;
     }
 
 private:
@@ -140,9 +144,11 @@ private:
     double length(int a, int b) const { return (positions_[a] - positions_[b]).norm(); }
     double wanted(int a, int b) const { return 0.5 * (wanted_[a] + wanted_[b]); }
 
-    int add_vertex(const Vec3& position, bool border) {
+    bool on_border(int v) const { return line_[v] != kFreeVertex; }
+
+    int add_vertex(const Vec3& position, int line) {
         positions_.push_back(position);
-        border_.push_back(border);
+        line_.push_back(line);
         wanted_.push_back(options_.edge_length(position));
         around_.emplace_back();
         return static_cast<int>(positions_.size()) - 1;
@@ -185,7 +191,9 @@ private:
 
     int split(int a, int b) {
         const std::vector<int> both = sharing(a, b);
-        const int middle = add_vertex(0.5 * (positions_[a] + positions_[b]), both.size() == 1);
+        // Between a line and a pinned end the line goes on.
+        const int line = both.size() != 1 ? kFreeVertex : std::max(line_[a], line_[b]);
+        const int middle = add_vertex(0.5 * (positions_[a] + positions_[b]), line);
         for (const int t : both) {
             Corners with_a = triangles_[t];
             Corners with_b = triangles_[t];
@@ -225,7 +233,8 @@ private:
     /// Moves a onto b where that keeps the surface manifold, unfolded and evenly sized.
     bool collapse(int a, int b) {
         const std::vector<int> both = sharing(a, b);
-        if (both.empty() || (border_[a] && (!border_[b] || both.size() != 1))) {
+        if (both.empty() || line_[a] == kPinnedVertex ||
+            (on_border(a) && (!on_border(b) || both.size() != 1))) {
             return false;
         }
         const std::vector<int> ring_a = ring(a);
@@ -237,7 +246,7 @@ private:
             return false;
         }
         for (const int w : shared) {
-            if (around_[w].size() <= 3 && !border_[w]) {
+            if (around_[w].size() <= 3 && !on_border(w)) {
                 return false;
             }
         }
@@ -314,15 +323,15 @@ private:
     }
 
     Vec3 relaxed(int v, bool project) const {
-        if (around_[v].empty()) {
+        if (around_[v].empty() || line_[v] == kPinnedVertex) {
             return positions_[v];
         }
         Vec3 sum = Vec3::Zero();
         double weights = 0.0;
         Vec3 normal = Vec3::Zero();
-        if (border_[v]) {
+        if (on_border(v)) {
             for (const int w : ring(v)) {
-                if (border_[w] && sharing(v, w).size() == 1) {
+                if (on_border(w) && sharing(v, w).size() == 1) {
                     sum += positions_[w];
                     weights += 1.0;
                 }
@@ -343,18 +352,18 @@ private:
         Vec3 moved = positions_[v];
         if (weights > 0.0) {
             Vec3 step = sum / weights - positions_[v];
-            if (!border_[v] && normal.norm() > 0.0) {
+            if (!on_border(v) && normal.norm() > 0.0) {
                 normal.normalize();
                 step -= step.dot(normal) * normal;
             }
             moved += 0.6 * step;
         }
-        return project ? options_.project(moved, border_[v]) : moved;
+        return project ? options_.project(moved, line_[v]) : moved;
     }
 
     const RemeshOptions& options_;
     std::vector<Vec3> positions_;
-    std::vector<char> border_;
+    std::vector<int> line_;
     std::vector<double> wanted_;
     std::vector<std::vector<int>> around_;
     std::vector<Corners> triangles_;
@@ -362,7 +371,7 @@ private:
 
 }  // namespace
 
-TriangleMesh remesh(const TriangleMesh& mesh, const RemeshOptions& options) {
+RemeshedSurface remesh(const TriangleMesh& mesh, const RemeshOptions& options) {
     Surface surface(mesh, options);
     for (int round = 0; round < options.rounds; ++round) {
         surface.split_long_edges();
@@ -374,7 +383,7 @@ TriangleMesh remesh(const TriangleMesh& mesh, const RemeshOptions& options) {
     }
     surface.flip_edges();
     surface.relax(true);
-    return surface.mesh();
+    return surface.surface();
 }
 
 }  // namespace myoface

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "head_contour.h"
+
 namespace myoface {
 namespace {
 
@@ -91,6 +93,8 @@ Tube smooth_tube(const Tube& through, int per_span = 8) {
     return result;
 }
 
+constexpr double kCrown = 2.6;  // exponent of the super-ellipse that closes the skull
+
 /// Skips a primitive that lies too far off to change d.
 bool reaches(double d, const Vec3& p, const Vec3& centre, double bound, double k) {
     return (p - centre).norm() - bound < d + k + 4.0;
@@ -102,15 +106,15 @@ HeadField::HeadField()
     : front_({-110, -97, -85, -70, -50, -30, -15, 0, 20, 36, 50},
              {72, 85, 91, 93, 94.5, 91, 88, 86, 88, 94, 95.5}),
       back_({-110, -97, -85, -70, -50, -30, -15, 0, 20, 36, 50},
-            {-40, -45, -50, -55, -60, -68, -76, -82, -88, -91, -92}),
+            {-46, -52, -58, -64, -71, -78, -82, -86, -94, -97.5, -98.5}),
       half_width_({-110, -97, -85, -70, -50, -30, -15, 0, 20, 36, 50},
                   {34, 38, 43, 49, 56, 61.5, 65, 67.5, 70.5, 72.5, 73.5}),
       width_z_({-110, -97, -85, -70, -50, -30, -15, 0, 20, 36, 50},
                {12, 11, 10, 7, 2, -3, -7, -10, -10, -9, -8}),
       exponent_({-110, -97, -85, -70, -50, -30, -15, 0, 20, 36, 50},
-                {1.8, 1.85, 1.9, 1.95, 2.1, 2.3, 2.4, 2.45, 2.45, 2.45, 2.45}),
+                {1.8, 1.85, 1.9, 1.95, 2.1, 2.3, 2.4, 2.4, 2.3, 2.15, 2.05}),
       ridge_z_({-30, -24, -18, -13, -8, 0, 8, 15, 21, 26, 32, 40},
-               {86, 100, 110.2, 113.2, 111.2, 106.3, 100.8, 96.4, 94.0, 93.8, 93.0, 88}),
+               {86, 100, 110.4, 113.8, 112.4, 108.8, 104.0, 99.8, 97.4, 96.8, 95.8, 90}),
       ridge_slope_({-18, -10, 0, 10, 20, 30}, {.85, .74, .68, .72, .95, 1.6}),
       ridge_round_({-18, 0, 12, 30}, {7, 5.5, 6, 10}),
       upper_lid_({16.1, 18.5, 22, 26, 30, 34, 38, 41.5, 43.6},
@@ -118,17 +122,17 @@ HeadField::HeadField()
       lower_lid_({16.1, 18.5, 22, 26, 30, 34, 38, 41.5, 43.6},
                  {16.3, 14.8, 13.2, 12.1, 11.7, 11.9, 13.1, 15.6, 17.95}),
       lip_line_({0, 6, 13, 20, 24.5}, {-52, -51.8, -51.95, -52, -52.2}) {
-    mandible_ = smooth_tube({{{48, -38, 4}, 8},
-                             {{44.5, -58, 12}, 9},
-                             {{37.5, -72, 33}, 10},
-                             {{26, -80, 55}, 10},
+    mandible_ = smooth_tube({{{48, -34, 6}, 9},
+                             {{46.5, -56, 13}, 10},
+                             {{41.5, -68, 34}, 11.5},
+                             {{30, -78, 56}, 11.5},
                              {{13, -84, 72}, 9}});
-    brow_ = smooth_tube({{{5, 35, 86}, 5.5},
-                         {{16, 38.5, 84}, 6},
-                         {{28, 40.5, 79.6}, 6},
-                         {{39, 38, 71.5}, 5.8},
-                         {{47, 30, 60.5}, 5.5}});
-    sternomastoid_ = smooth_tube({{{56, -30, -24}, 9}, {{36, -95, 2}, 8}, {{10, -165, 22}, 7}});
+    brow_ = smooth_tube({{{5, 34, 86}, 5.5},
+                         {{16, 36, 85}, 6},
+                         {{28, 37, 82.2}, 6},
+                         {{39, 34.5, 75.5}, 5.8},
+                         {{48, 26.5, 64}, 5.5}});
+    sternomastoid_ = smooth_tube({{{53, -30, -27}, 8}, {{35, -95, 0}, 8}, {{10, -165, 22}, 7}});
     helix_ = smooth_tube({{{67.5, 5, -7}, 1.6},
                           {{71, 8, -4}, 2.0},
                           {{73.5, 20, -4}, 2.4},
@@ -144,6 +148,10 @@ HeadField::HeadField()
                               {{78, -4, -22}, 2.3},
                               {{74, -11, -17.5}, 2.0},
                               {{71.5, -11.5, -12}, 1.8}});
+    alar_groove_ = smooth_tube({{{19.0, -19.0, 92.8}, 0.2},
+                                {{19.2, -22.5, 92.4}, 0.35},
+                                {{18.6, -26.0, 92.2}, 0.3},
+                                {{17.2, -28.6, 92.4}, 0.1}});
     // Thin features ride on the surface that is there so far.
     lid_crease_ = snapped({{18.5, 20.5, .75, 0},
                            {22.5, 25, .75, 0},
@@ -154,19 +162,19 @@ HeadField::HeadField()
                            {45, 20.6, .75, 0}},
                           false);
     philtral_column_ =
-        snapped({{4.4, -34.5, 1.2, -2.6}, {5.4, -38.5, 1.4, -2.2}, {6.4, -44, 1.3, -1.7}}, false);
+        snapped({{4.6, -35, 0.9, -2.4}, {5.4, -38.5, 1.2, -2.2}, {6.2, -43.6, 1.2, -1.7}}, false);
     philtral_groove_ =
-        snapped({{0, -35, 2.0, 3.2}, {0, -39, 2.3, 2.7}, {0, -43.5, 2.3, 2.4}}, false);
+        snapped({{0, -35, 2.0, 3.4}, {0, -39, 2.3, 3.0}, {0, -43.5, 2.3, 3.0}}, false);
     nasolabial_ = snapped(
         {{20, -22, .8, 2.9}, {25, -29, .8, 2.9}, {30, -39, .8, 2.9}, {33.5, -49, .8, 3.1}}, false);
-    upper_lip_ = snapped({{0, -48.4, 3.5, .9},
-                          {5.6, -47.8, 3.7, 1},
-                          {13, -49, 2.9, .6},
-                          {19.5, -50.7, 1.9, 0},
-                          {24.3, -52.1, .9, -.7}},
+    upper_lip_ = snapped({{0, -48.5, 3.3, -1.2},
+                          {5.6, -47.9, 3.5, -1.2},
+                          {13, -49, 2.8, -1.3},
+                          {19.5, -50.7, 1.8, -1.2},
+                          {24.3, -52.1, .9, -1.2}},
                          true);
-    lower_lip_ = snapped({{0, -56.4, 4.2, .1},
-                          {6, -56.2, 4.2, .1},
+    lower_lip_ = snapped({{0, -56.4, 4.1, -.3},
+                          {6, -56.2, 4.1, -.3},
                           {13, -55.4, 3.5, -.1},
                           {19, -54, 2.2, -.5},
                           {24, -52.7, .9, -.9}},
@@ -185,8 +193,8 @@ double HeadField::base(const Vec3& p) const {
     const double along = dz > 0.0 ? dz / front : -dz / back;
     const double n = 2.12 + (exponent_(y) - 2.12) * smooth_step(-0.25, 0.55, dz / front);
     const double section = std::pow(std::abs(p.x()) / width, n) + std::pow(along, n);
-    const double level = std::pow(section, 2.2 / n) + std::pow(crown, 2.2);
-    const double ratio = std::pow(level, 1.0 / 2.2);
+    const double level = std::pow(section, kCrown / n) + std::pow(crown, kCrown);
+    const double ratio = std::pow(level, 1.0 / kCrown);
     if (ratio < 1e-6) {
         return -width;
     }
@@ -201,14 +209,14 @@ double HeadField::bony_face(const Vec3& q) const {
     const double under = (-62.0 - 0.42 * (q.z() - 10.0) - q.y()) / std::hypot(1.0, 0.42);
     d = smooth_max(d, under, 22.0);
     d = smooth_min(d, ellipsoid(q, {0, -83, 79.5}, {19, 14.5, 18}), 16.0);
-    if (reaches(d, p, {32, -62, 36}, 52.0, 16.0)) {
-        d = smooth_min(d, tube_distance(p, mandible_), 16.0);
+    if (reaches(d, p, {32, -62, 36}, 54.0, 22.0)) {
+        d = smooth_min(d, tube_distance(p, mandible_), 22.0);
     }
     if (reaches(d, p, {26, 37, 78}, 34.0, 20.0)) {
         d = smooth_min(d, tube_distance(p, brow_), 20.0);
     }
     d = smooth_min(d, ellipsoid(q, {0, 39, 82.5}, {18, 12, 12.2}), 18.0);
-    d = smooth_min(d, ellipsoid(broad, {22, 60, 60}, {34, 30, 33}), 28.0);
+    d = smooth_min(d, ellipsoid(broad, {18, 58, 60}, {30, 28, 32}), 24.0);
     d = smooth_min(d, ellipsoid(q, {0, -50, 66}, {28, 25, 30}), 20.0);
     d = smooth_min(d, turned_ellipsoid(p, {42, -4, 56}, {17, 12, 12}, 40.0), 18.0);
     d = smooth_min(d, capsule(p, {48, -5, 42}, {54, -2, 10}, 6.0, 5.0), 18.0);
@@ -218,7 +226,7 @@ double HeadField::bony_face(const Vec3& q) const {
     const Vec3 axis = Vec3(0, -150, -28).normalized();
     const Vec3 from_axis = q - Vec3(0, -40, -10);
     const Vec3 radial = from_axis - from_axis.dot(axis) * axis;
-    const double neck = Vec3(radial.x() / 52.0, radial.y() / 54.0, radial.z() / 54.0).norm();
+    const double neck = Vec3(radial.x() / 49.5, radial.y() / 55.0, radial.z() / 55.0).norm();
     const double neck_top = q.y() + 20.0;  // the neck ends inside the head
     const double neck_distance = smooth_max(53.0 * (neck - 1.0), neck_top, 20.0);
     d = smooth_min(d, neck_distance, 16.0);
@@ -226,7 +234,9 @@ double HeadField::bony_face(const Vec3& q) const {
         d = smooth_min(d, tube_distance(p, sternomastoid_), 22.0);
     }
     d = smooth_min(d, ellipsoid(q, {0, -124, 15}, {11, 18, 11}), 18.0);
+    d = smooth_min(d, capsule(p, {48, -20, -10}, {41, -66, -4}, 10.0, 11.0), 26.0);
     d = smooth_min(d, capsule(q, {0, -83, 66}, {0, -86, 36}, 14.0, 17.0), 18.0);
+    d = smooth_min(d, capsule(p, {25, -78, 40}, {36, -70, 6}, 9.0, 11.0), 20.0);
     return d;
 }
 
@@ -234,9 +244,9 @@ double HeadField::eyes(double d, const Vec3& p) const {
     if (!reaches(d, p, {30, 18, 75}, 40.0, 15.0)) {
         return d;
     }
-    d = subtract(d, turned_ellipsoid(p, {28.5, 20, 95}, {18, 12, 18.5}, 18.0), 15.0);
+    d = subtract(d, turned_ellipsoid(p, {28.5, 18.8, 95}, {17.5, 10.4, 17.0}, 18.0), 13.0);
     d = subtract(d, ellipsoid(p, {15.5, 13.5, 94.5}, {4.8, 8, 15}), 9.0);
-    d = smooth_min(d, sphere(p, eye_centre(), 14.0), 5.0);
+    d = smooth_min(d, sphere(p, kEyeCentre, 14.0), 5.0);
     return d;
 }
 
@@ -250,13 +260,13 @@ double HeadField::nose(const Vec3& q) const {
     const double bound =
         std::max({std::abs(q.y() - 2.0) - 36.0, std::abs(q.x()) - 22.0, 62.0 - q.z()});
     double d = smooth_max(ridge, bound, 6.0);
-    d = smooth_min(d, sphere(q, {0, -17.9, 111.8}, 5.9), 10.0);
-    d = smooth_min(d, sphere(p, {4.6, -18.4, 108.9}, 5.4), 7.0);
-    d = smooth_min(d, capsule(p, {4.6, -15, 106}, {9.4, -12, 97}, 5.6, 5.6), 8.0);
-    const Vec3 local = p - Vec3(12.1, -21.2, 98.2);
-    const Eigen::AngleAxisd turn(22.0 * std::numbers::pi / 180.0, Vec3::UnitY());
-    d = smooth_min(d, ellipsoid_local(turn * local, {5.3, 7.0, 10.6}), 3.8);
-    d = smooth_min(d, capsule(q, {0, -27, 98.5}, {0, -21.3, 109}, 3.6, 4.0), 5.0);
+    d = smooth_min(d, sphere(q, {0, -17.4, 112.4}, 5.3), 9.0);
+    d = smooth_min(d, sphere(p, {4.0, -18.6, 109.2}, 4.7), 6.0);
+    d = smooth_min(d, capsule(p, {4.0, -14.0, 106}, {8.0, -8, 96.0}, 4.6, 4.4), 8.0);
+    const Vec3 local = p - Vec3(11.9, -21.4, 97.8);
+    const Eigen::AngleAxisd turn(24.0 * std::numbers::pi / 180.0, Vec3::UnitY());
+    d = smooth_min(d, ellipsoid_local(turn * local, {4.6, 6.4, 10.4}), 4.2);
+    d = smooth_min(d, capsule(q, {0, -27, 98.5}, {0, -21.3, 109}, 3.2, 3.8), 5.0);
     return d;
 }
 
@@ -284,15 +294,22 @@ double HeadField::ear(const Vec3& p) const {
     return d;
 }
 
+double HeadField::nostril(const Vec3& q) const {
+    // Leans inwards and forward on its way up; long axis towards the tip.
+    const Vec3 local = Vec3(std::abs(q.x()), q.y(), q.z()) - Vec3(6.6, -20.2, 100.4);
+    const Eigen::AngleAxisd turn(24.0 * std::numbers::pi / 180.0, Vec3::UnitY());
+    const Eigen::AngleAxisd lean(-10.0 * std::numbers::pi / 180.0, Vec3::UnitZ());
+    return ellipsoid_local(turn * (lean * local), {3.2, 9.6, 5.5});
+}
+
 double HeadField::without_lips(const Vec3& q) const {
     const Vec3 p(std::sqrt(q.x() * q.x() + 0.36), q.y(), q.z());
     double d = eyes(bony_face(q), p);
     if (reaches(d, q, {0, 0, 95}, 45.0, 10.0)) {
         d = smooth_min(d, ellipsoid(q, {0, -32, 90}, {11.5, 7, 10}), 10.0);
         d = smooth_min(d, nose(q), 7.0);
-        const Vec3 local = p - Vec3(7, -23.2, 101.6);
-        const Eigen::AngleAxisd turn(20.0 * std::numbers::pi / 180.0, Vec3::UnitY());
-        d = subtract(d, ellipsoid_local(turn * local, {2.9, 8.8, 4.9}), 1.8);
+        d = subtract(d, tube_distance(p, alar_groove_), 5.0);
+        d = subtract(d, nostril(p), 1.8);
     }
     if (reaches(d, p, {75, 3, -15}, 40.0, 6.0)) {
         d = smooth_min(d, ear(p), 5.0);
@@ -300,7 +317,15 @@ double HeadField::without_lips(const Vec3& q) const {
     return d;
 }
 
-double HeadField::operator()(const Vec3& q) const {
+Vec3 HeadField::in_primitives(const Vec3& p) const {
+    return p - contour_shift(average_contour(), p);
+}
+
+double HeadField::operator()(const Vec3& p) const {
+    return primitives(in_primitives(p));
+}
+
+double HeadField::primitives(const Vec3& q) const {
     const Vec3 p(std::sqrt(q.x() * q.x() + 0.36), q.y(), q.z());
     double d = without_lips(q);
     if (reaches(d, p, {31.5, 25, 75}, 20.0, 4.0)) {
@@ -311,9 +336,10 @@ double HeadField::operator()(const Vec3& q) const {
         d = subtract(d, tube_distance(q, philtral_groove_), 5.0);
         d = subtract(d, ellipsoid(q, {0, -68.2, 104.5}, {19, 5.5, 8}), 11.0);
         d = subtract(d, tube_distance(p, nasolabial_), 11.0);
-        // Each lip blends with the skin, never with the other lip: that would fill the slit.
-        d = std::min(smooth_min(d, tube_distance(q, upper_lip_), 2.6),
-                     smooth_min(d, tube_distance(q, lower_lip_), 3.2));
+        // Each lip blends with the skin for itself. Where they meet only a shallow groove is left:
+        // the mesh is slit there, and no triangle must dive into a crease.
+        d = smooth_min(smooth_min(d, tube_distance(q, upper_lip_), 4.2),
+                       smooth_min(d, tube_distance(q, lower_lip_), 4.2), 1.2);
     }
     return smooth_max(d, kNeckCut - q.y(), 16.0);
 }
@@ -376,11 +402,14 @@ Vec3 HeadField::onto_surface(const Vec3& p, bool keep_x) const {
     return at;
 }
 
-Vec3 HeadField::front_point(double x, double y) const {
-    // The field is roughly a distance: half of it is a safe step.
+namespace {
+
+/// The field is roughly a distance: half of it is a safe step.
+template <typename Field>
+Vec3 foremost(const Field& field, double x, double y) {
     double z = 135.0;
     double step = 0.5;
-    for (double value = (*this)({x, y, z}); z > 0.0 && value > 0.0; value = (*this)({x, y, z})) {
+    for (double value = field({x, y, z}); z > 0.0 && value > 0.0; value = field({x, y, z})) {
         step = std::max(0.5, 0.5 * value);
         z -= step;
     }
@@ -388,9 +417,27 @@ Vec3 HeadField::front_point(double x, double y) const {
     double high = z + step;
     for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (low + high);
-        ((*this)({x, y, middle}) > 0.0 ? high : low) = middle;
+        (field({x, y, middle}) > 0.0 ? high : low) = middle;
     }
     return {x, y, low};
+}
+
+}  // namespace
+
+Vec3 HeadField::from_primitives(const Vec3& q) const {
+    Vec3 p = q;
+    for (int i = 0; i < 30; ++i) {
+        p = q + contour_shift(average_contour(), p);
+    }
+    return p;
+}
+
+Vec3 HeadField::front_point(double x, double y) const {
+    return foremost([this](const Vec3& p) { return (*this)(p); }, x, y);
+}
+
+Vec3 HeadField::front_point_at(double x, double y) const {
+    return from_primitives(foremost([this](const Vec3& p) { return primitives(p); }, x, y));
 }
 
 }  // namespace myoface
