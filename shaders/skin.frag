@@ -5,12 +5,14 @@ in vec3 eyeNormal;
 in vec3 vertexColour;
 in vec2 pictureAt;
 in float fold;
+in float cutDistance;
 
 uniform vec3 plainColour;
 uniform bool hasColours;
 uniform bool hasTexture;
 uniform sampler2D picture;
 uniform float opacity;
+uniform bool isCut;
 uniform float gloss;
 uniform float softness;
 
@@ -33,6 +35,9 @@ float highlight(vec3 n, vec3 toEye, vec3 direction, float sharpness) {
 }
 
 void main() {
+    if (isCut && cutDistance > 0.0) {
+        discard;
+    }
     vec3 n = normalize(eyeNormal);
     vec3 toEye = normalize(-eyePosition);
     bool inside = !gl_FrontFacing;

@@ -8,12 +8,15 @@ layout(location = 4) in float cavity;
 
 uniform mat4 view;
 uniform mat4 projection;
+uniform vec3 cutNormal;
+uniform float cutOffset;
 
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec3 vertexColour;
 out vec2 pictureAt;
 out float fold;
+out float cutDistance;
 
 void main() {
     vec4 eye = view * vec4(position, 1.0);
@@ -22,5 +25,6 @@ void main() {
     vertexColour = colour;
     pictureAt = uv;
     fold = cavity;
+    cutDistance = dot(cutNormal, position) - cutOffset;
     gl_Position = projection * eye;
 }

@@ -178,9 +178,9 @@ void FaceView::mouseMoveEvent(QMouseEvent* event) {
             Q_EMIT pulled(rayAt(at));
             break;
         default: {
-            const bool onSkin = hitAt(at).has_value();
-            updateCursor(onSkin);
-            Q_EMIT hovered(QString(), onSkin);
+            const std::optional<RayHit> hit = hitAt(at);
+            updateCursor(hit.has_value());
+            Q_EMIT hovered(rayAt(at), hit ? std::optional(hit->where) : std::nullopt);
         }
     }
 }

@@ -51,7 +51,8 @@ Q_SIGNALS:
     void released(bool keep);
     void picked(const myoface::Vec3& point);
     void pickCancelled();
-    void hovered(const QString& what, bool onSkin);
+    /// The mouse rests over this line of sight, and over this place of the skin or none.
+    void hovered(const myoface::ViewRay& ray, const std::optional<myoface::SurfacePoint>& where);
     void drawingFailed(const QString& sentence);
     void beforeHeld(bool held);
 

@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
@@ -28,6 +29,13 @@ LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent) {
         });
         connect(row.opacity, &QSlider::valueChanged, this, &LayerPanel::layersEdited);
     }
+    m_cut = new QSlider(Qt::Horizontal);
+    m_cut->setRange(0, 100);
+    m_cut->setAccessibleName(tr("Cut-away"));
+    m_cut->setToolTip(tr("Takes the skin away from the patient's left side on"));
+    grid->addWidget(new QLabel(tr("Cut-away")), 4, 0);
+    grid->addWidget(m_cut, 4, 1);
+    connect(m_cut, &QSlider::valueChanged, this, &LayerPanel::layersEdited);
     auto* presets = new QHBoxLayout;
     struct Preset {
         QString name;
@@ -46,7 +54,7 @@ LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent) {
         });
         presets->addWidget(button);
     }
-    grid->addLayout(presets, 4, 0, 1, 2);
+    grid->addLayout(presets, 5, 0, 1, 2);
     grid->setColumnStretch(1, 1);
     setLayers({});
 }

@@ -20,6 +20,8 @@ public:
 
     LayerOpacity layers() const;
     void setLayers(const LayerOpacity& layers);
+    /// Share of the skin that is taken away from the patient's left side on.
+    double cutAway() const { return m_cut->value() / 100.0; }
 
 Q_SIGNALS:
     void layersEdited();
@@ -30,6 +32,7 @@ private:
         QSlider* opacity = nullptr;
     };
     std::array<Row, 4> m_rows;
+    QSlider* m_cut = nullptr;
 };
 
 }  // namespace myoface

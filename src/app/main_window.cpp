@@ -15,9 +15,11 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include "myoface/base/error.h"
+#include "myoface/scene/muscle_drawing.h"
 
 #include "commands.h"
 #include "landmark_guide.h"
@@ -101,6 +103,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     connect(m_layers, &LayerPanel::layersEdited, this, [this] {
         if (m_scene) {
             m_scene->set_layers(m_layers->layers());
+            m_scene->cut_away(m_layers->cutAway());
             m_view->update();
         }
     });
@@ -306,6 +309,7 @@ void MainWindow::connectView() {
         const bool shape = m_view->tool() == Tool::Shape;
         inWorker([keep, shape](SimulationWorker& w) { w.endDrag(keep && shape); });
     });
+    connect(m_view, &FaceView::hovered, this, &MainWindow::nameWhatIsThere);
     connect(m_view, &FaceView::picked, this, [this](const Vec3& point) {
         if (m_frameEditor->calibrating()) {
             m_frameEditor->place(point);
@@ -501,7 +505,7 @@ void MainWindow::saveScan() {
     }
     try {
         write_mesh(path.toStdString(), *m_document.opened()->scan,
-                   scan_positions(*m_document.model(), m_shown->positions));
+                   scan_positions(*m_document.model(), m_shown->positions, m_shown->jaw));
         statusBar()->showMessage(tr("Written: %1").arg(path), 6000);
     } catch (const Error& error) {
         complain(QString::fromUtf8(error.what()));
@@ -626,6 +630,32 @@ void MainWindow::resetFace() {
             new ReshapeCommand(m_document, m_document.skinRest(), scan, tr("shape of the scan")));
     }
     m_document.undoStack()->endMacro();
+}
+
+void MainWindow::nameWhatIsThere(const ViewRay& ray, const std::optional<SurfacePoint>& where) {
+    const auto& model = m_document.model();
+    if (!model) {
+        return;
+    }
+    const bool japanese = locale().language() == QLocale::Japanese;
+    const LayerOpacity layers = m_layers->layers();
+    const bool muscles = layers.muscles > 0.0F && (layers.skin < 0.9F || m_layers->cutAway() > 0.0);
+    const std::optional<int> muscle = muscles ? muscle_on_ray(*model, ray) : std::nullopt;
+    if (muscle) {
+        const MuscleTraits& traits = model->muscles[static_cast<std::size_t>(*muscle)].traits;
+        QToolTip::showText(QCursor::pos(),
+                           QString::fromStdString(muscle_in_words(traits, japanese)), m_view);
+        return;
+    }
+    QToolTip::hideText();
+    if (where) {
+        int corner = 0;
+        where->weights.maxCoeff(&corner);
+        statusBar()->showMessage(
+            QString::fromStdString(tissue_in_words(
+                *model, model->skin.mesh.triangles(corner, where->triangle), japanese)),
+            2500);
+    }
 }
 
 void MainWindow::showBefore(bool held) {

@@ -75,6 +75,7 @@ private:
     void dragFinished(const std::shared_ptr<const DragOutcome>& outcome);
     void resetFace();
     void restMuscles();
+    void nameWhatIsThere(const ViewRay& ray, const std::optional<SurfacePoint>& where);
     void showBefore(bool held);
     void complain(const QString& sentence);
     void rememberRecent(const QString& path);

@@ -102,6 +102,7 @@ void SimulationWorker::publish(const StepReport& report) {
     auto snapshot = std::make_shared<SimSnapshot>();
     snapshot->positions = m_simulator->state().positions;
     snapshot->rates = m_simulator->contractions().rate;
+    snapshot->jaw = jaw_opening(m_simulator->face(), m_simulator->contractions());
     snapshot->report = report;
     snapshot->dragging = m_simulator->dragging();
     snapshot->frame = ++m_frame;

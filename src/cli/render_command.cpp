@@ -23,6 +23,7 @@ struct Arguments {
     double heatmap_max = 0.0;
     std::string focus;
     double span = 90.0;
+    double cut_away = 0.0;
     bool whole = false;
     bool no_loose_parts = false;
 };
@@ -120,10 +121,15 @@ void render(const Arguments& a) {
         scene.set_layers(layers);
         SimSnapshot snapshot;
         snapshot.positions = simulator->state().positions;
+        snapshot.jaw = jaw_opening(simulator->face(), simulator->contractions());
         scene.show(snapshot);
         shown = simulator->scan_vertices();
     }
     scene.show_loose_parts(!a.no_loose_parts);
+    if (!(a.cut_away >= 0.0 && a.cut_away <= 1.0)) {
+        throw InvalidInput("The cut-away must lie between 0 and 1.");
+    }
+    scene.cut_away(a.cut_away);
     if (!a.heatmap.empty()) {
         std::vector<double> values = distances(shown, a.heatmap, opened.scan->frame);
         const double largest = *std::max_element(values.begin(), values.end());
@@ -158,6 +164,8 @@ void add_render(CLI::App& app) {
     command->add_option("--size", a->size, "WIDTHxHEIGHT");
     command->add_flag("--no-loose-parts", a->no_loose_parts,
                       "leave out what does not hang together with the face");
+    command->add_option("--cut-away", a->cut_away,
+                        "take the skin away from the patient's left side on, 0 to 1");
     command->add_option("--focus", a->focus, "landmark in the middle: a close-up");
     command->add_option("--span", a->span, "height of a close-up [mm]");
     command->add_flag("--whole", a->whole, "show the whole scan, not the head only");

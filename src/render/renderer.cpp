@@ -223,6 +223,7 @@ void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int
         if (i == 2 && layers[2]->opacity < 1.0F) {
             draw_lines(lines_[0], scene.springs);  // seen through the skin
         }
+        set_cut(scene, i == 2);
         draw_surface(surfaces_[i], *layers[i]);
     }
     if (layers[2]->opacity >= 1.0F) {
@@ -245,6 +246,13 @@ void Renderer::draw_background(const SceneData& scene) const {
     set(background_program_, "bottom", scene.background_bottom);
     glBindVertexArray(empty_array_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::set_cut(const SceneData& scene, bool is_skin) const {
+    glUseProgram(skin_program_);
+    set(skin_program_, "isCut", scene.cut && is_skin);
+    set(skin_program_, "cutNormal", scene.cut_normal);
+    set(skin_program_, "cutOffset", scene.cut_offset);
 }
 
 void Renderer::draw_surface(const Surface& surface, const SurfaceLayer& layer) const {

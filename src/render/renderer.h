@@ -41,6 +41,7 @@ private:
     static void upload_motion(const Surface& surface, const SurfaceLayer& layer);
     static void upload(Lines& lines, const LineLayer& layer);
     void draw_background(const SceneData& scene) const;
+    void set_cut(const SceneData& scene, bool is_skin) const;
     void draw_surface(const Surface& surface, const SurfaceLayer& layer) const;
     void draw_lines(const Lines& lines, const LineLayer& layer) const;
     void draw_markers(const SceneData& scene, float pixel_ratio);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,13 +21,20 @@ namespace myoface {
 /// A muscle on one face. Points in our frame [mm].
 struct Muscle {
     MuscleTraits traits;
-    Points path;                ///< 3×P: linear: bone end … skin end; sphincter: closed ring
-    Points outward;             ///< 3×P: normal of the face over each point
+    Points path;     ///< 3×P: bone end … skin end; sphincter: closed ring; sheet: middle fibre
+    Points outward;  ///< 3×P: normal of the face over each point
+    std::vector<Points> fibres;  ///< of sheets and volumes: 3×P each, from one edge to the other
     double length = 0.0;        ///< of a linear muscle's path, or around a ring
     Vec3 axis = Vec3::UnitZ();  ///< sphincter: normal of the ring, out of the face
     Vec3 wide = Vec3::UnitX();  ///< sphincter: direction of the longer semi-axis
     double half_width = 0.0, half_height = 0.0;
     Vec3 centre = Vec3::Zero();
+};
+
+/// A muscle under a skin node.
+struct MuscleWeight {
+    int muscle = -1;
+    double weight = 0.0;
 };
 
 /// How the smoothed face curves around a node, for sliding on the bone:
@@ -35,6 +43,20 @@ struct SlidingSurface {
     Vec3 normal = Vec3::UnitZ();
     Mat3 curvature = Mat3::Zero();  ///< Q, symmetric, tangential [1/mm]
 };
+
+enum class BonePart : std::uint8_t { Cranium, Mandible, UpperTeeth, LowerTeeth };
+
+/// How the jaw opens: a turn about the axis through both condyles, which slide forward and down
+/// along the slope of the joint meanwhile. @cite posselt_1957
+struct JawHinge {
+    Vec3 centre = Vec3::Zero();           ///< midway between the condyles [mm]
+    Vec3 axis = Vec3::UnitX();            ///< unit, to the patient's left
+    Vec3 slide = Vec3::Zero();            ///< of the condyles at full opening [mm]
+    double full_opening = 0.0;            ///< turn at full opening [rad]
+};
+
+/// A place of the mandible when the jaw is open by a share of its full opening.
+Vec3 opened(const JawHinge& hinge, double share, const Vec3& p);
 
 /// Everything about one face that does not change while it is simulated: anatomy on the scan.
 /// "Skin node" means a vertex of skin.mesh: the scan's main part with seams welded.
@@ -49,8 +71,15 @@ struct FaceModel {
     std::vector<TissueProperties> tissue;  ///< per skin node
     std::vector<SlidingSurface> sliding;   ///< per skin node
     std::vector<TissueLabel> label;        ///< per skin node
+    /// Per skin node: the muscles under it with weights that sum to 1, the strongest first.
+    std::vector<std::vector<MuscleWeight>> muscles_under;
+    Points eyes;  ///< 3×2: centres of the left and right eyeball [mm]
+    double eye_radius = 12.2;
+    std::vector<int> jaw_vertices;  ///< of the scan: loose parts that hang on the mandible
     std::vector<Muscle> muscles;           ///< in the atlas' order
-    TriangleMesh bone;                     ///< for show and for placing muscle ends
+    TriangleMesh bone;                     ///< skull and mandible with their teeth
+    std::vector<BonePart> bone_part;       ///< per bone vertex
+    JawHinge jaw;
     std::vector<std::pair<int, int>> lip_contacts;  ///< upper and lower node that touch
     Mat3 axes = Mat3::Identity();                   ///< columns: the face's left, up and front
 

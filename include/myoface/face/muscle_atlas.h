@@ -8,7 +8,22 @@
 
 namespace myoface {
 
-enum class MuscleKind { Linear, Sphincter };
+enum class MuscleKind {
+    Linear,     ///< one bundle from bone to skin
+    Sheet,      ///< fibres side by side
+    Sphincter,  ///< a ring
+    Volume      ///< a thick belly between bones
+};
+
+/// What contraction does to the skin.
+enum class MuscleAction {
+    Pull,       ///< towards the bone end, by the linear response
+    Purse,      ///< towards the ring's centre, by the sphincter's response
+    CloseLids,  ///< lids slide along the eyeball until they meet
+    RaiseLid,   ///< the upper lid slides up along the eyeball
+    Bulge,      ///< the belly lifts the skin over it
+    OpenJaw     ///< the mandible turns about its hinge and takes the skin with it
+};
 enum class Side { Middle, Left, Right };
 
 /// Which nodes a muscle's kernel may move.
@@ -26,9 +41,15 @@ struct MuscleTraits {
     std::string base_name;  ///< zygomaticus_major
     std::string title;      ///< zygomaticus major
     std::string title_ja;
-    std::string group;  ///< brow, eye, nose, mouth, chin: panel section
+    std::string latin;
+    std::string group;  ///< brow, eye, nose, mouth, chin, neck, jaw: panel section
     std::string action_unit;
+    std::string nerve;              ///< branch of the facial nerve, else the cranial nerve
+    std::string origin, insertion;  ///< in words
+    std::string does, does_ja;
+    std::string note, note_ja;  ///< clinical
     MuscleKind kind = MuscleKind::Linear;
+    MuscleAction action = MuscleAction::Pull;
     Side side = Side::Middle;
     MuscleZone zone = MuscleZone::All;
     double half_angle = 0.6;     ///< Ω of the sector [rad]
@@ -44,7 +65,12 @@ struct MuscleTraits {
 /// A muscle in the coordinates of the average head.
 struct AtlasMuscle {
     MuscleTraits traits;
-    Points path;  ///< bone end first (linear), closed ring (sphincter) [mm]
+    Points path;  ///< bone end first; closed ring (sphincter); the middle fibre of a sheet [mm]
+    std::vector<Points> edges;       ///< outermost fibres of sheets and volumes
+    bool deep = false;               ///< runs inside the orbit, not under the skin
+    bool shares_mouth = false;       ///< its ring is half of the mouth's
+    double origin_depth = 1.0;       ///< of the bone end, as a share of the tissue's depth
+    double insertion_depth = 0.3;    ///< of the other end
 };
 
 using MuscleAtlas = std::vector<AtlasMuscle>;

@@ -13,9 +13,14 @@ enum class Region {
     Forehead,
     Glabella,
     Brow,
-    Lids,
+    UpperLid,
+    LowerLid,
     Temple,
-    Nose,
+    NoseDorsum,
+    NoseSidewall,
+    NoseTip,
+    NoseAla,
+    Columella,
     Cheek,
     UpperLip,
     LowerLip,
@@ -25,7 +30,9 @@ enum class Region {
     Neck,
     Scalp
 };
-std::string region_name(Region region);
+std::string region_name(Region region, bool japanese = false);
+bool is_nose(Region region);
+bool is_lid(Region region);
 
 /// Kind of tissue of a mass point or link.
 enum class Tissue { Skin, Mucosa, Cartilage, Muscle, Bone, Other };
@@ -43,6 +50,7 @@ struct TissueProperties {
     Region region = Region::Cheek;
     Tissue tissue = Tissue::Skin;
     double depth = 10.0;         ///< skin to bone (lids: to the eyeball) [mm]
+    double thickness = 1.5;      ///< of the skin itself [mm]
     double skin_share = 1.0;     ///< of the skin's E·h: thin on lids and lips
     double bone_tie = 1.0;       ///< the paper's mass: how firmly the skin is held sideways
     double strain_limit = 0.25;  ///< stretch at which the skin's capacity is used up
@@ -52,6 +60,20 @@ struct TissueProperties {
 /// Tissue at a place of the average head. @param p generic coordinates [mm]
 /// @param faces_inward an inner surface: nostril, inner lip, mouth bag
 TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward);
+
+/// How far a place moves with the mandible: 1 chin and lower lip, 0 upper lip and brow, smooth over
+/// the cheek and down the neck. @param p generic coordinates [mm]
+double jaw_share(const Vec3& p);
+
+/// Where the lids are: heights of both margins at a place's distance from the midline, and how far
+/// the place follows each of them, 1 at the margin.
+struct LidPlace {
+    double upper = 0.0, lower = 0.0;              ///< y of the margins [mm]
+    double with_upper = 0.0, with_lower = 0.0;    ///< 0 … 1
+};
+LidPlace lid_place(const Vec3& p);
+/// Centre of the average head's eyeball, left.
+Vec3 generic_eye_centre();
 
 /// Does a surface point look into the head: mouth bag, nostril, eye socket?
 /// @param p generic coordinates [mm] @param normal outward normal in generic axes

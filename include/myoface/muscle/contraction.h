@@ -16,6 +16,9 @@ struct Contractions {
 };
 Contractions resting(const FaceModel& face);
 
+/// How far the jaw is open, as a share of its full opening.
+double jaw_opening(const FaceModel& face, const Contractions& contractions);
+
 constexpr double kLeastContraction = -0.5;
 constexpr double kMostContraction = 1.0;
 
@@ -25,6 +28,7 @@ struct MuscleResponse {
     Points shift;            ///< tether target [mm]
     Eigen::VectorXd height;  ///< thickness target [mm]
     Eigen::VectorXd hold;    ///< 0 … 1: how firmly the target is held
+    bool whole = false;      ///< carries skin and bone surface together: lids, jaw
 };
 
 /// Responses of all muscles on the resting face. Always from rest: sums do not depend on the order

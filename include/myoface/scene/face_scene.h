@@ -27,6 +27,8 @@ public:
     /// Moves everything to a moment of the simulation.
     void show(const SimSnapshot& snapshot);
     void set_layers(const LayerOpacity& layers);
+    /// Takes the skin away from the patient's left side on. @param share 0 nothing … 1 all of it
+    void cut_away(double share);
     /// Paints the skin with values 0 … 1 per scan vertex by colour_map(); empty: its own look.
     void paint(const std::vector<double>& values);
 
@@ -38,6 +40,7 @@ public:
 
 private:
     std::shared_ptr<const Image> picture() const;
+    void show_bone();
     void show_muscles(const Points& nodes);
     void show_springs(const Points& nodes);
 
@@ -49,6 +52,8 @@ private:
     SkinDrawing drawing_;
     FloatPoints own_colours_;
     Points last_nodes_;
+    std::unique_ptr<const Adjacency> bone_adjacency_;
+    double jaw_ = 0.0;
     SceneData scene_;
 };
 

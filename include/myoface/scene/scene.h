@@ -53,6 +53,9 @@ struct SceneData {
     std::vector<Marker> markers;
     Eigen::Vector3f background_top{0.215F, 0.235F, 0.265F};
     Eigen::Vector3f background_bottom{0.085F, 0.095F, 0.11F};
+    bool cut = false;  ///< skin with normal · p > offset is not drawn
+    Eigen::Vector3f cut_normal{1.0F, 0.0F, 0.0F};
+    float cut_offset = 0.0F;  ///< [mm]
     Vec3 centre = Vec3::Zero();
     double radius = 200.0;  ///< of everything visible around the centre [mm]
     std::uint64_t topology = 0;

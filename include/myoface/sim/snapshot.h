@@ -15,13 +15,15 @@ namespace myoface {
 struct SimSnapshot {
     Points positions;           ///< 3×nodes [mm]
     std::vector<double> rates;  ///< contraction per muscle
+    double jaw = 0.0;           ///< share of the jaw's full opening
     StepReport report;
     bool dragging = false;
     std::uint64_t frame = 0;
 };
 
 /// Positions of the scan's vertices for given node positions: exactly the scan where nothing moved.
-Points scan_positions(const FaceModel& face, const Points& node_positions);
+/// Loose parts that hang on the mandible turn with it. @param jaw share of its full opening
+Points scan_positions(const FaceModel& face, const Points& node_positions, double jaw);
 
 /// A box with one place between two threads: the newest snapshot wins, so that a slow viewer never
 /// makes a queue.

@@ -34,12 +34,17 @@ double kernel_radius(const FaceModel& face, const Grip& grip) {
         const Vec3 p = face.generic.col(grip.nodes[k]);
         double own = 18.0;
         switch (tissue.region) {
-            case Region::Nose:
+            case Region::NoseDorsum:
+            case Region::NoseSidewall:
+            case Region::NoseTip:
+            case Region::NoseAla:
+            case Region::Columella:
                 own = 11.0;
                 break;
             case Region::UpperLip:
             case Region::LowerLip:
-            case Region::Lids:
+            case Region::UpperLid:
+            case Region::LowerLid:
                 own = 12.0;
                 break;
             case Region::Brow:

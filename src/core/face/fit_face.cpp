@@ -14,6 +14,7 @@
 #include "myoface/mesh/bvh.h"
 #include "myoface/mesh/normals.h"
 
+#include "bone_placement.h"
 #include "muscle_placement.h"
 #include "sliding_surface.h"
 
@@ -327,7 +328,8 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     const Similarity back = face->to_generic.inverse();
     place_muscles(*face, smooth_normals, [&](const Vec3& p) { return back(from_average(p)); });
     label_skin(*face);
-    face->bone = bone_surface(*face, smooth);
+    report("Fitting the face", 0.85);
+    place_skull(*face, smooth, [&](const Vec3& p) { return back(from_average(p)); });
     face->lip_contacts = find_lip_contacts(*face);
     report("Fitting the face", 1.0);
     return face;
@@ -342,11 +344,20 @@ std::string muscles_to_json(const FaceModel& face) {
             const Vec3 p = frame.to_file(muscle.path.col(i));
             points.push_back({p.x(), p.y(), p.z()});
         }
-        const bool linear = muscle.traits.kind == MuscleKind::Linear;
+        const bool linear = muscle.traits.kind != MuscleKind::Sphincter;
         if (!linear) {
             points.push_back(points.front());
         }
-        list[muscle.traits.name] = {{"kind", linear ? "linear" : "sphincter"}, {"points", points}};
+        nlohmann::json& entry = list[muscle.traits.name];
+        entry = {{"kind", linear ? "linear" : "sphincter"}, {"points", points}};
+        for (const Points& fibre : muscle.fibres) {
+            nlohmann::json line = nlohmann::json::array();
+            for (Eigen::Index i = 0; i < fibre.cols(); ++i) {
+                const Vec3 p = frame.to_file(fibre.col(i));
+                line.push_back({p.x(), p.y(), p.z()});
+            }
+            entry["fibres"].push_back(line);
+        }
     }
     nlohmann::json document;
     const std::string unit = unit_name(frame.mm_per_unit);

@@ -17,12 +17,32 @@ namespace {
 
 using nlohmann::json;
 
+Points points_of(const json& list) {
+    Points points(3, static_cast<Eigen::Index>(list.size()));
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            points(axis, static_cast<Eigen::Index>(i)) =
+                list[i].at(static_cast<std::size_t>(axis)).get<double>();
+        }
+    }
+    return points;
+}
+
 AtlasMuscle parse_muscle(const json& entry) {
     static const std::map<std::string, MuscleZone> kZones{{"all", MuscleZone::All},
                                                           {"upper_lip", MuscleZone::UpperLip},
                                                           {"lower_lip", MuscleZone::LowerLip},
                                                           {"brow", MuscleZone::Brow},
                                                           {"nose", MuscleZone::Nose}};
+    static const std::map<std::string, MuscleKind> kKinds{{"linear", MuscleKind::Linear},
+                                                          {"sheet", MuscleKind::Sheet},
+                                                          {"sphincter", MuscleKind::Sphincter},
+                                                          {"volume", MuscleKind::Volume}};
+    static const std::map<std::string, MuscleAction> kActions{
+        {"close_lids", MuscleAction::CloseLids},
+        {"raise_lid", MuscleAction::RaiseLid},
+        {"bulge", MuscleAction::Bulge},
+        {"open_jaw", MuscleAction::OpenJaw}};
     AtlasMuscle muscle;
     MuscleTraits& t = muscle.traits;
     t.base_name = t.name = entry.at("id").get<std::string>();
@@ -30,25 +50,38 @@ AtlasMuscle parse_muscle(const json& entry) {
     t.title_ja = entry.at("title_ja").get<std::string>();
     t.group = entry.at("group").get<std::string>();
     t.action_unit = entry.at("action_unit").get<std::string>();
-    t.kind = entry.at("kind") == "sphincter" ? MuscleKind::Sphincter : MuscleKind::Linear;
+    t.kind = kKinds.at(entry.at("kind").get<std::string>());
+    t.action = t.kind == MuscleKind::Sphincter ? MuscleAction::Purse : MuscleAction::Pull;
+    if (entry.contains("action")) {
+        t.action = kActions.at(entry.at("action").get<std::string>());
+    }
+    for (const auto& [field, text] :
+         {std::pair<const char*, std::string*>{"latin", &t.latin}, {"nerve", &t.nerve},
+          {"origin", &t.origin}, {"insertion", &t.insertion}, {"does", &t.does},
+          {"does_ja", &t.does_ja}, {"note", &t.note}, {"note_ja", &t.note_ja}}) {
+        *text = entry.at(field).get<std::string>();
+    }
+    muscle.deep = entry.value("deep", false);
+    muscle.shares_mouth = entry.value("shares_mouth", false);
+    if (entry.contains("depth_share")) {
+        muscle.origin_depth = entry.at("depth_share").at(0).get<double>();
+        muscle.insertion_depth = entry.at("depth_share").at(1).get<double>();
+    }
     t.zone = kZones.at(entry.at("zone").get<std::string>());
-    if (t.kind == MuscleKind::Linear) {
+    if (t.action == MuscleAction::Pull) {
         t.half_angle = entry.at("half_angle_deg").get<double>() * std::numbers::pi / 180.0;
         t.falloff_start = entry.at("falloff_start").get<double>();
         t.falloff_end = entry.at("falloff_end").get<double>();
-    } else {
-        t.forward = entry.at("forward").get<double>();
     }
+    t.forward = entry.value("forward", 0.0);
     t.breadth = entry.at("breadth_mm").get<double>();
     t.pull = entry.at("pull_mm").get<double>();
     t.strength = entry.at("strength_N").get<double>();
     t.gain = entry.at("gain").get<double>();
-    const json& path = entry.at("path");
-    muscle.path.resize(3, static_cast<Eigen::Index>(path.size()));
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            muscle.path(axis, static_cast<Eigen::Index>(i)) =
-                path[i].at(static_cast<std::size_t>(axis)).get<double>();
+    muscle.path = points_of(entry.at("path"));
+    if (entry.contains("edges")) {
+        for (const json& edge : entry.at("edges")) {
+            muscle.edges.push_back(points_of(edge));
         }
     }
     if (muscle.path.cols() < 2) {
@@ -63,6 +96,9 @@ AtlasMuscle on_side(const AtlasMuscle& left, Side side) {
     muscle.traits.name += side == Side::Left ? ".L" : ".R";
     if (side == Side::Right) {
         muscle.path.row(0) *= -1.0;
+        for (Points& edge : muscle.edges) {
+            edge.row(0) *= -1.0;
+        }
         if (muscle.traits.kind == MuscleKind::Sphincter) {
             muscle.path = muscle.path.rowwise().reverse().eval();  // same sense of turning
         }

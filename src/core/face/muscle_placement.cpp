@@ -2,21 +2,21 @@
 #include "muscle_placement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Dense>
 
 #include "myoface/base/parallel.h"
+#include "myoface/face/generic_face.h"
 #include "myoface/mesh/bvh.h"
-#include "myoface/mesh/cut.h"
 #include "myoface/mesh/normals.h"
 
 namespace myoface {
 namespace {
 
 constexpr int kParts = 8;                // of a linear muscle's chain
-constexpr double kInsertionDepth = 0.3;  // of the tissue's depth
 constexpr double kRingDepth = 0.35;
 
 bool inner(const FaceModel& face, int node) {
@@ -85,7 +85,7 @@ Points resampled(const Points& path, int parts) {
 
 /// Muscles run straight: irons out what the skin over them has of its own.
 void even_out(Points& path) {
-    for (int pass = 0; pass < 2; ++pass) {
+    for (int pass = 0; pass < 4; ++pass) {
         const Points before = path;
         for (Eigen::Index k = 1; k + 1 < path.cols(); ++k) {
             path.col(k) = 0.5 * before.col(k) + 0.25 * (before.col(k - 1) + before.col(k + 1));
@@ -124,6 +124,50 @@ void measure_ring(const FaceModel& face, Muscle& muscle, const Points& outline) 
 
 }  // namespace
 
+namespace {
+
+/// Puts a fibre under the skin: its depth goes from the bone end's to the skin end's share.
+struct PlacedFibre {
+    Points path, outward;
+};
+PlacedFibre place_fibre(const SkinSurface& skin, const Points& warped, const AtlasMuscle& entry) {
+    const Points even = resampled(warped, kParts);
+    PlacedFibre fibre{Points(3, kParts + 1), Points(3, kParts + 1)};
+    for (int k = 0; k <= kParts; ++k) {
+        const double share = static_cast<double>(k) / kParts;
+        // Leaves the bone quickly, then runs under the skin.
+        const double depth =
+            entry.insertion_depth +
+            (entry.origin_depth - entry.insertion_depth) * std::pow(1.0 - share, 2.0);
+        const UnderSkin place = under_skin(skin, even.col(k), depth);
+        fibre.path.col(k) = entry.deep && k + 1 < kParts ? Vec3(even.col(k)) : place.point;
+        fibre.outward.col(k) = place.outward;
+    }
+    even_out(fibre.path);
+    return fibre;
+}
+
+/// Fibres of a sheet: from one edge over the middle to the other.
+void place_fibres(Muscle& muscle, const AtlasMuscle& entry, const SkinSurface& skin,
+                  const std::function<Points(const Points&)>& warped) {
+    constexpr int kFibres = 9;
+    if (entry.edges.size() != 2) {
+        return;
+    }
+    const std::array<Points, 3> guide{resampled(entry.edges[0], kParts),
+                                      resampled(entry.path, kParts),
+                                      resampled(entry.edges[1], kParts)};
+    for (int f = 0; f < kFibres; ++f) {
+        const double t = 2.0 * f / (kFibres - 1);
+        const int side = t < 1.0 ? 0 : 1;
+        const Points between = (1.0 - (t - side)) * guide[static_cast<std::size_t>(side)] +
+                               (t - side) * guide[static_cast<std::size_t>(side) + 1];
+        muscle.fibres.push_back(place_fibre(skin, warped(between), entry).path);
+    }
+}
+
+}  // namespace
+
 void place_muscles(FaceModel& face, const Points& smooth_normals,
                    const std::function<Vec3(const Vec3&)>& from_generic) {
     const auto warped = [&](const Points& path) {
@@ -139,23 +183,14 @@ void place_muscles(FaceModel& face, const Points& smooth_normals,
     for (const AtlasMuscle& entry : muscle_atlas()) {
         Muscle muscle;
         muscle.traits = entry.traits;
-        const Points path = warped(entry.path);
-        if (entry.traits.kind == MuscleKind::Linear) {
-            const Points even = resampled(path, kParts);
-            muscle.path.resize(3, kParts + 1);
-            muscle.outward.resize(3, kParts + 1);
-            for (int k = 0; k <= kParts; ++k) {
-                const double share = static_cast<double>(k) / kParts;
-                // Leaves the bone quickly, then runs under the skin.
-                const double depth =
-                    kInsertionDepth + (1.0 - kInsertionDepth) * std::pow(1.0 - share, 2.0);
-                const UnderSkin place = under_skin(skin, even.col(k), depth);
-                muscle.path.col(k) = place.point;
-                muscle.outward.col(k) = place.outward;
-            }
-            even_out(muscle.path);
+        if (entry.traits.kind != MuscleKind::Sphincter) {
+            PlacedFibre fibre = place_fibre(skin, warped(entry.path), entry);
+            muscle.path = std::move(fibre.path);
+            muscle.outward = std::move(fibre.outward);
             muscle.length = path_length(muscle.path, false);
+            place_fibres(muscle, entry, skin, warped);
         } else {
+            const Points path = warped(entry.path);
             muscle.path.resize(3, path.cols());
             muscle.outward.resize(3, path.cols());
             for (Eigen::Index i = 0; i < path.cols(); ++i) {
@@ -165,10 +200,15 @@ void place_muscles(FaceModel& face, const Points& smooth_normals,
             }
             muscle.length = path_length(muscle.path, true);
             Points outline = muscle.path;
-            if (entry.traits.zone != MuscleZone::All) {  // the other half of the ring
+            if (entry.traits.zone != MuscleZone::All || entry.shares_mouth) {
+                // The other half of the ring.
                 Points other = entry.path;
-                const double line = -52.0;
-                other.row(1) = (2.0 * line - other.row(1).array()).matrix();
+                if (entry.shares_mouth) {
+                    other.row(0) *= -1.0;
+                } else {
+                    const double line = generic_landmarks().at("sto").position.y();
+                    other.row(1) = (2.0 * line - other.row(1).array()).matrix();
+                }
                 const Points mirrored = warped(other);
                 outline.conservativeResize(3, 2 * path.cols());
                 for (Eigen::Index i = 0; i < mirrored.cols(); ++i) {
@@ -182,88 +222,81 @@ void place_muscles(FaceModel& face, const Points& smooth_normals,
     }
 }
 
-void label_skin(FaceModel& face) {
-    constexpr double kMargin = 2.5;  // a muscle also acts on the skin beside it [mm]
-    const Points& vertices = face.skin.mesh.vertices;
-    face.label.resize(static_cast<std::size_t>(face.node_count()));
-    parallel_for(face.node_count(), 256, [&](int begin, int end) {
-        for (int v = begin; v < end; ++v) {
-            const TissueProperties& tissue = face.tissue[v];
-            TissueLabel label{tissue.tissue, -1};
-            double nearest = std::numeric_limits<double>::infinity();
-            const Vec3 p = vertices.col(v);
-            for (std::size_t m = 0; m < face.muscles.size(); ++m) {
-                const Muscle& muscle = face.muscles[m];
-                const double reach = 0.5 * muscle.traits.breadth + kMargin;
-                const Eigen::Index points = muscle.path.cols();
-                const bool closed = muscle.traits.kind == MuscleKind::Sphincter;
-                for (Eigen::Index i = closed ? 0 : 1; i < points; ++i) {
-                    const Vec3 a = muscle.path.col((i + points - 1) % points);
-                    const Vec3 b = muscle.path.col(i);
-                    const Vec3 ab = b - a;
-                    const double t =
-                        std::clamp((p - a).dot(ab) / std::max(ab.squaredNorm(), 1e-12), 0.0, 1.0);
-                    // Sideways only: depth under the skin does not count.
-                    Vec3 off = p - a - t * ab;
-                    off -= off.dot(face.sliding[v].normal) * face.sliding[v].normal;
-                    const double distance = off.norm();
-                    const bool above = (p - a - t * ab).norm() < reach + tissue.depth;
-                    if (above && distance < reach && distance < nearest - 1e-9) {
-                        nearest = distance;
-                        label.muscle = static_cast<int>(m);
-                    }
-                }
-            }
-            face.label[v] = label;
+namespace {
+
+/// Distance of a skin node from a muscle's line, along the skin only: depth does not count. Beyond
+/// `reach` or too deep below: infinite.
+double distance_along_skin(const FaceModel& face, int node, const Points& path, bool closed,
+                           double reach) {
+    const Vec3 p = face.skin.mesh.vertices.col(node);
+    const Vec3& normal = face.sliding[static_cast<std::size_t>(node)].normal;
+    const double depth = face.tissue[static_cast<std::size_t>(node)].depth;
+    double nearest = std::numeric_limits<double>::infinity();
+    const Eigen::Index points = path.cols();
+    for (Eigen::Index i = closed ? 0 : 1; i < points; ++i) {
+        const Vec3 a = path.col((i + points - 1) % points);
+        const Vec3 b = path.col(i);
+        const Vec3 ab = b - a;
+        const double t = std::clamp((p - a).dot(ab) / std::max(ab.squaredNorm(), 1e-12), 0.0, 1.0);
+        const Vec3 off = p - a - t * ab;
+        if (off.norm() >= reach + depth) {
+            continue;
         }
-    });
+        nearest = std::min(nearest, (off - off.dot(normal) * normal).norm());
+    }
+    return nearest < reach ? nearest : std::numeric_limits<double>::infinity();
 }
 
-TriangleMesh bone_surface(const FaceModel& face, const SmoothFace& smooth) {
-    const TriangleMesh& skin = face.skin.mesh;
-    TriangleMesh bone;
-    bone.vertices.resize(3, skin.vertex_count());
-    for (int v = 0; v < skin.vertex_count(); ++v) {
-        bone.vertices.col(v) =
-            smooth.vertices.col(v) -
-            face.tissue[static_cast<std::size_t>(v)].depth * smooth.normals.col(v);
-    }
-    // Above 0 where there is bone to show: cut along smooth lines, not along triangles.
-    std::vector<double> solid(static_cast<std::size_t>(skin.vertex_count()));
-    for (int v = 0; v < skin.vertex_count(); ++v) {
-        const Vec3 p = face.generic.col(v);
-        const double x = std::abs(p.x());
-        const double ear = (Vec3(x, p.y(), p.z()) - Vec3(76.0, 3.0, -18.0)).norm() / 27.0 - 1.0;
-        const double neck = (p.y() + 74.0 + 0.42 * (p.z() - 10.0)) / 20.0;
-        double value = std::min(ear, neck);
-        if (p.z() > 40.0) {
-            const double orbit = std::hypot((x - 31.0) / 19.0, (p.y() - 17.0) / 15.5);
-            const double narrow = std::max(13.0 - 0.30 * (p.y() + 18.0), 2.0);
-            const double nose = std::hypot(x / narrow, (p.y() + 16.0) / 19.0);
-            const double mouth = std::hypot(x / 25.0, (p.y() + 52.0) / 6.0);
-            value = std::min({value, orbit - 1.0, nose - 1.0, mouth - 1.0});
+}  // namespace
+
+void label_skin(FaceModel& face) {
+    constexpr double kMargin = 2.5;  // a muscle also acts on the skin beside it [mm]
+    constexpr std::size_t kMost = 4;
+    face.label.resize(static_cast<std::size_t>(face.node_count()));
+    face.muscles_under.resize(static_cast<std::size_t>(face.node_count()));
+    parallel_for(face.node_count(), 256, [&](int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            std::vector<MuscleWeight>& under = face.muscles_under[v];
+            for (std::size_t m = 0; m < face.muscles.size(); ++m) {
+                const Muscle& muscle = face.muscles[m];
+                const bool ring = muscle.traits.kind == MuscleKind::Sphincter;
+                double share = 0.0;  // 1 over the muscle's line, 0 at its edge
+                if (muscle.fibres.empty()) {
+                    const double reach = 0.5 * muscle.traits.breadth + kMargin;
+                    share = 1.0 - distance_along_skin(face, v, muscle.path, ring, reach) / reach;
+                } else {
+                    const double reach = 0.5 * muscle.traits.breadth /
+                                             static_cast<double>(muscle.fibres.size() - 1) * 2.0 +
+                                         kMargin;
+                    for (const Points& fibre : muscle.fibres) {
+                        share = std::max(
+                            share, 1.0 - distance_along_skin(face, v, fibre, false, reach) / reach);
+                    }
+                    // A sheet lies under everything else.
+                    share *= muscle.traits.kind == MuscleKind::Volume ? 0.3 : 0.6;
+                }
+                if (muscle.traits.action == MuscleAction::RaiseLid ||
+                    muscle.traits.action == MuscleAction::OpenJaw) {
+                    share *= 0.3;  // behind the lid, in the floor of the mouth
+                }
+                if (share > 0.0) {
+                    under.push_back({static_cast<int>(m), share});
+                }
+            }
+            std::stable_sort(under.begin(), under.end(), [](const auto& a, const auto& b) {
+                return a.weight > b.weight;
+            });
+            under.resize(std::min(under.size(), kMost));
+            double sum = 0.0;
+            for (const MuscleWeight& entry : under) {
+                sum += entry.weight;
+            }
+            for (MuscleWeight& entry : under) {
+                entry.weight /= sum;
+            }
+            face.label[v] = {face.tissue[v].tissue, under.empty() ? -1 : under[0].muscle};
         }
-        solid[v] = value;
-    }
-    bone.triangles = skin.triangles;
-    SplitMesh cut = split_along_zero(
-        bone, solid, std::vector<bool>(static_cast<std::size_t>(skin.vertex_count()), true));
-    bone.vertices = cut.mesh.vertices;
-    std::vector<Eigen::Vector3i> kept;
-    for (int t = 0; t < cut.mesh.triangle_count(); ++t) {
-        bool gone = false;
-        for (const int v : cut.mesh.triangles.col(t)) {
-            gone = gone || cut.values[v] < 0.0 || (v < skin.vertex_count() && inner(face, v));
-        }
-        if (!gone) {
-            kept.emplace_back(cut.mesh.triangles.col(t));
-        }
-    }
-    bone.triangles.resize(3, static_cast<Eigen::Index>(kept.size()));
-    for (std::size_t t = 0; t < kept.size(); ++t) {
-        bone.triangles.col(static_cast<Eigen::Index>(t)) = kept[t];
-    }
-    return bone;
+    });
 }
 
 }  // namespace myoface

@@ -14,11 +14,7 @@ namespace myoface {
 void place_muscles(FaceModel& face, const Points& smooth_normals,
                    const std::function<Vec3(const Vec3&)>& from_generic);
 
-/// Gives every skin node the label of the muscle that lies nearest under it, if one does.
+/// Gives every skin node the muscles that lie under it, with weights; the strongest is its label.
 void label_skin(FaceModel& face);
-
-/// Skull-like surface: the smoothed skin, inward by the tissue's depth; open at orbits, nose and
-/// mouth, without ears.
-TriangleMesh bone_surface(const FaceModel& face, const SmoothFace& smooth);
 
 }  // namespace myoface

@@ -3,16 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <sstream>
+#include <numbers>
 
-#include "myoface/base/error.h"
-#include "myoface/base/resources.h"
 #include "myoface/face/smooth_warp.h"
-#include "myoface/io/text_file.h"
 
 #include "head/head_mesh.h"
+#include "head/skull.h"
 
 namespace myoface {
 namespace {
@@ -51,10 +48,17 @@ Region region_at(double x, double y, double z) {
         return Region::Scalp;
     }
     if (z > 45.0 && std::hypot((x - 30.0) / 19.0, (y - 18.0) / 10.0) < 1.0) {
-        return Region::Lids;
+        const double middle = 0.5 * (average_head().upper_lid(x) + average_head().lower_lid(x));
+        return y > middle ? Region::UpperLid : Region::LowerLid;
     }
     if (z > 75.0 && y > -32.0 && y < 26.0 && x < 9.0 + 0.2 * (20.0 - y)) {
-        return Region::Nose;
+        if (y < -8.0) {
+            if (x > 9.5) {
+                return Region::NoseAla;
+            }
+            return x < 4.5 && y < -22.0 ? Region::Columella : Region::NoseTip;
+        }
+        return x < 6.0 ? Region::NoseDorsum : Region::NoseSidewall;
     }
     if (y >= 46.0 || (y >= 26.0 && x > 54.0)) {
         return x > 52.0 ? Region::Temple : Region::Forehead;
@@ -80,61 +84,96 @@ Region region_at(double x, double y, double z) {
     return Region::Cheek;
 }
 
-double strain_limit(Region region) {
-    switch (region) {
-        case Region::Forehead:
-        case Region::Glabella:
-        case Region::Brow:
-        case Region::Scalp:
-            return 0.12;
-        case Region::Temple:
-        case Region::Chin:
-        case Region::Jaw:
-            return 0.15;
-        case Region::UpperLip:
-        case Region::LowerLip:
-        case Region::Lids:
-            return 0.40;
-        case Region::Nose:
-            return 0.06;
-        default:
-            return 0.25;
-    }
+/// What a region's skin is like. Limits of stretch as used by a flap simulator; thickness
+/// (epidermis and dermis) after measurements of cadaver faces, rounded; both recalled from
+/// @cite mitchell_2016 and @cite chopra_2015 and not read off their tables.
+struct RegionSkin {
+    Region region;
+    const char* name;
+    const char* name_ja;
+    double strain_limit;
+    double thickness;  ///< [mm]
+};
+constexpr std::array<RegionSkin, 19> kRegions{{
+    {Region::Forehead, "forehead", "額", 0.12, 1.7},
+    {Region::Glabella, "glabella", "眉間", 0.12, 1.8},
+    {Region::Brow, "brow", "眉", 0.12, 1.9},
+    {Region::UpperLid, "upper lid", "上まぶた", 0.40, 0.8},
+    {Region::LowerLid, "lower lid", "下まぶた", 0.40, 0.9},
+    {Region::Temple, "temple", "こめかみ", 0.15, 1.4},
+    {Region::NoseDorsum, "nose dorsum", "鼻背", 0.06, 1.4},
+    {Region::NoseSidewall, "nose sidewall", "鼻側壁", 0.06, 1.9},
+    {Region::NoseTip, "nose tip", "鼻尖", 0.06, 2.2},
+    {Region::NoseAla, "nose ala", "鼻翼", 0.06, 2.2},
+    {Region::Columella, "columella", "鼻柱", 0.06, 1.5},
+    {Region::Cheek, "cheek", "頬", 0.25, 1.9},
+    {Region::UpperLip, "upper lip", "上唇", 0.40, 1.6},
+    {Region::LowerLip, "lower lip", "下唇", 0.40, 1.6},
+    {Region::Chin, "chin", "オトガイ", 0.15, 1.9},
+    {Region::Jaw, "jaw line", "フェイスライン", 0.15, 1.8},
+    {Region::Ear, "ear", "耳", 0.25, 1.2},
+    {Region::Neck, "neck", "頸部", 0.25, 1.5},
+    {Region::Scalp, "scalp", "頭皮", 0.12, 2.2},
+}};
+
+const RegionSkin& skin_of(Region region) {
+    return *std::find_if(kRegions.begin(), kRegions.end(),
+                         [&](const RegionSkin& r) { return r.region == region; });
 }
 
 }  // namespace
 
-std::string region_name(Region region) {
-    switch (region) {
-        case Region::Forehead:
-            return "forehead";
-        case Region::Glabella:
-            return "glabella";
-        case Region::Brow:
-            return "brow";
-        case Region::Lids:
-            return "lids";
-        case Region::Temple:
-            return "temple";
-        case Region::Nose:
-            return "nose";
-        case Region::Cheek:
-            return "cheek";
-        case Region::UpperLip:
-            return "upper lip";
-        case Region::LowerLip:
-            return "lower lip";
-        case Region::Chin:
-            return "chin";
-        case Region::Jaw:
-            return "jaw";
-        case Region::Ear:
-            return "ear";
-        case Region::Neck:
-            return "neck";
-        default:
-            return "scalp";
+std::string region_name(Region region, bool japanese) {
+    return japanese ? skin_of(region).name_ja : skin_of(region).name;
+}
+
+bool is_nose(Region region) {
+    return region >= Region::NoseDorsum && region <= Region::Columella;
+}
+
+bool is_lid(Region region) {
+    return region == Region::UpperLid || region == Region::LowerLid;
+}
+
+double jaw_share(const Vec3& p) {
+    const double x = std::abs(p.x());
+    const JawHinge hinge = generic_jaw_hinge();
+    const double forward = p.z() - hinge.centre.z();
+    // Angle below the hinge: the upper lip lies at 24 degrees, the chin at 45.
+    const double angle = std::atan2(hinge.centre.y() - p.y(), std::max(forward, 1.0)) * 180.0 /
+                         std::numbers::pi;
+    double share = smooth_step(16.0, 40.0, angle);
+    // Lips part at once; beside them it is gradual.
+    const double lips = smooth_step(34.0, 22.0, x) * smooth_step(55.0, 75.0, p.z()) *
+                        smooth_step(-92.0, -74.0, p.y());
+    share = mixed(share, 1.0 - upper_lip_share(p, 0.6), lips);
+    // Inside the mouth the lining behind the lips follows the same way.
+    share *= smooth_step(-8.0, 14.0, forward);
+    return share * smooth_step(-142.0, -102.0, p.y());
+}
+
+LidPlace lid_place(const Vec3& p) {
+    const HeadField& head = average_head();
+    const double x = std::clamp(std::abs(p.x()), HeadField::kInnerCanthus,
+                                HeadField::kOuterCanthus);
+    LidPlace place;
+    place.upper = head.upper_lid(x);
+    place.lower = head.lower_lid(x);
+    const double beside = std::abs(p.x()) - x;  // beyond the corners
+    const double fade = smooth_step(6.0, 0.0, std::abs(beside)) * smooth_step(55.0, 66.0, p.z());
+    const double middle = 0.5 * (place.upper + place.lower);
+    constexpr double kUpperReach = 11.0;  // [mm] from the margin to where the lid is at rest
+    constexpr double kLowerReach = 8.0;
+    if (p.y() > middle) {
+        place.with_upper = fade * smooth_step(kUpperReach, 0.0, p.y() - place.upper);
+    } else {
+        place.with_lower = fade * smooth_step(kLowerReach, 0.0, place.lower - p.y());
     }
+    return place;
+}
+
+Vec3 generic_eye_centre() {
+    return average_head().eye_centre();
 }
 
 TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward) {
@@ -143,7 +182,8 @@ TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward) {
     const double z = p.z();
     TissueProperties t;
     t.region = region_at(x, y, z);
-    t.strain_limit = strain_limit(t.region);
+    t.strain_limit = skin_of(t.region).strain_limit;
+    t.thickness = skin_of(t.region).thickness;
 
     const double lips = near_lips(x, y, z);
     const double lids = near_lids(x, y, z);
@@ -209,42 +249,10 @@ double upper_lip_share(const Vec3& p, double softness) {
 
 Eigen::VectorXd tissue_depths(const Points& generic) {
     static const SmoothWarp kDepth = [] {
-        std::istringstream text(read_file(resource_path("assets/tissue_depth.csv")));
-        std::string line;
-        std::getline(text, line);
-        std::vector<Vec3> places;
-        std::vector<double> depths;
-        while (std::getline(text, line)) {
-            std::vector<std::string> cells;
-            std::istringstream row(line);
-            for (std::string cell; std::getline(row, cell, ',');) {
-                cells.push_back(cell);
-            }
-            if (cells.size() < 6) {
-                continue;
-            }
-            std::array<double, 4> v{};
-            for (std::size_t i = 0; i < 4; ++i) {
-                const std::string& cell = cells[i + 2];
-                if (std::from_chars(cell.data(), cell.data() + cell.size(), v[i]).ec !=
-                    std::errc()) {
-                    throw IoError("assets/tissue_depth.csv: '" + cell + "' is not a number.");
-                }
-            }
-            places.emplace_back(v[0], v[1], v[2]);
-            depths.push_back(v[3]);
-            if (cells[1] == "yes") {
-                places.emplace_back(-v[0], v[1], v[2]);
-                depths.push_back(v[3]);
-            }
-        }
-        Points from(3, static_cast<Eigen::Index>(places.size()));
-        Points to = Points::Zero(3, from.cols());
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            from.col(static_cast<Eigen::Index>(i)) = places[i];
-            to(0, static_cast<Eigen::Index>(i)) = depths[i];
-        }
-        return SmoothWarp(from, to, Eigen::VectorXd::Zero(from.cols()), 0.0);
+        const DepthSites& sites = depth_sites();
+        Points to = Points::Zero(3, sites.places.cols());
+        to.row(0) = sites.depths.transpose();
+        return SmoothWarp(sites.places, to, Eigen::VectorXd::Zero(to.cols()), 0.0);
     }();
     return kDepth(generic).row(0).transpose().cwiseMax(2.5).cwiseMin(24.0);
 }

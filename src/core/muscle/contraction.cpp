@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "myoface/base/parallel.h"
 
 namespace myoface {
@@ -44,10 +46,10 @@ double zone_share(const MuscleTraits& traits, const Vec3& generic, const TissueP
     }
 }
 
-ResponseZone linear_zone(const Muscle& muscle) {
+ResponseZone linear_zone(const Muscle& muscle, const Points& path) {
     ResponseZone zone;
-    zone.bone_end = muscle.path.col(0);
-    zone.skin_end = muscle.path.col(muscle.path.cols() - 1);
+    zone.bone_end = path.col(0);
+    zone.skin_end = path.col(path.cols() - 1);
     const double chord = (zone.skin_end - zone.bone_end).norm();
     zone.half_angle = muscle.traits.half_angle;
     zone.falloff_start = muscle.traits.falloff_start * chord;
@@ -67,6 +69,102 @@ SphincterZone sphincter_zone(const Muscle& muscle) {
     return zone;
 }
 
+/// What a muscle asks of one place of the skin.
+struct Demand {
+    Vec3 shift = Vec3::Zero();  ///< [mm]
+    double height = 0.0;        ///< [mm]
+    double hold = 0.0;          ///< 0 … 1
+};
+
+/// Fibres side by side: each by its own response, weighed by how strongly it reaches the place, so
+/// that the strongest is at full strength and the direction goes over smoothly.
+Vec3 sheet_response(const std::vector<ResponseZone>& fibres, const Vec3& p, ResponseForm form) {
+    Vec3 sum = Vec3::Zero();
+    double weights = 0.0;
+    for (const ResponseZone& fibre : fibres) {
+        const Vec3 one = linear_response(fibre, p, form);
+        const double weight = one.norm();
+        sum += weight * one;
+        weights += weight;
+    }
+    return weights > 1e-12 ? Vec3(sum / weights) : Vec3(Vec3::Zero());
+}
+
+/// Distance from a polyline.
+double distance_from(const Points& path, const Vec3& p) {
+    double least = 1e30;
+    for (Eigen::Index i = 1; i < path.cols(); ++i) {
+        const Vec3 a = path.col(i - 1);
+        const Vec3 ab = Vec3(path.col(i)) - a;
+        const double t = std::clamp((p - a).dot(ab) / std::max(ab.squaredNorm(), 1e-12), 0.0, 1.0);
+        least = std::min(least, (p - a - t * ab).norm());
+    }
+    return least;
+}
+
+/// The belly between two bones lifts the skin over it: most over its middle.
+Demand bulge(const Muscle& muscle, const Vec3& p, double share) {
+    const double reach = 0.62 * muscle.traits.breadth + 8.0;
+    const Vec3 middle = muscle.path.col(muscle.path.cols() / 2);
+    const double along = (p - middle).norm() / (0.75 * muscle.length);
+    const double across = distance_from(muscle.path, p) / reach;
+    const double r = std::max(along * along, across * across);
+    Demand demand;
+    if (r < 1.0) {
+        demand.height = muscle.traits.pull * share * (1.0 - r) * (1.0 - r);
+    }
+    return demand;
+}
+
+/// A turn about the transverse axis of an eyeball that carries a lid's margin to another height.
+Demand slide_lid(const FaceModel& face, int node, const MuscleTraits& traits) {
+    const Side side = traits.side;
+    const bool close = traits.action == MuscleAction::CloseLids;
+    const Vec3 generic = face.generic.col(node);
+    if ((side == Side::Left) != (generic.x() > 0.0)) {
+        return {};
+    }
+    const LidPlace lid = lid_place(generic);
+    const double upper = lid.with_upper;
+    const double lower = lid.with_lower;
+    if (upper <= 0.0 && lower <= 0.0) {
+        return {};
+    }
+    // The lids meet a quarter of the way up; wide open, the upper one goes up by a fifth.
+    const double fissure = lid.upper - lid.lower;
+    const double meeting = lid.lower + 0.22 * fissure;
+    double rise = 0.0;
+    if (close) {
+        rise = upper * (meeting - lid.upper) + lower * (meeting - lid.lower);
+    } else {
+        rise = 0.22 * upper * fissure;
+    }
+    rise *= traits.gain / face.to_generic.scale;
+    const Vec3 centre = face.eyes.col(side == Side::Left ? 0 : 1);
+    const Vec3 p = face.skin.mesh.vertices.col(node);
+    const Vec3 off = p - centre;
+    const Vec3 left = face.axes.col(0);
+    const Vec3 up = face.axes.col(1);
+    const double radius = (off - off.dot(left) * left).norm();
+    const double height = off.dot(up);
+    // The angle by which the height changes by `rise` on this circle.
+    const auto angle_at = [&](double h) { return std::asin(std::clamp(h / radius, -1.0, 1.0)); };
+    const Eigen::AngleAxisd turn(-(angle_at(height + rise) - angle_at(height)), left);
+    Demand demand;
+    demand.shift = turn * off - off;
+    demand.hold = std::max(upper, lower);
+    return demand;
+}
+
+Demand open_jaw(const FaceModel& face, int node) {
+    const double share = jaw_share(face.generic.col(node));
+    const Vec3 p = face.skin.mesh.vertices.col(node);
+    Demand demand;
+    demand.shift = share * (opened(face.jaw, 1.0, p) - p);
+    demand.hold = share;
+    return demand;
+}
+
 }  // namespace
 
 Contractions resting(const FaceModel& face) {
@@ -76,6 +174,16 @@ Contractions resting(const FaceModel& face) {
     return contractions;
 }
 
+double jaw_opening(const FaceModel& face, const Contractions& contractions) {
+    double sum = 0.0;
+    for (std::size_t m = 0; m < face.muscles.size(); ++m) {
+        if (face.muscles[m].traits.action == MuscleAction::OpenJaw) {
+            sum += contractions.rate[m] * contractions.strength[m];
+        }
+    }
+    return std::clamp(sum, 0.0, 1.0);
+}
+
 std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSpringModel& model,
                                              ResponseForm form) {
     std::vector<MuscleResponse> responses(face.muscles.size());
@@ -83,10 +191,21 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
         for (int m = begin; m < end; ++m) {
             const Muscle& muscle = face.muscles[m];
             const MuscleTraits& traits = muscle.traits;
-            const bool linear = traits.kind == MuscleKind::Linear;
-            const ResponseZone line = linear ? linear_zone(muscle) : ResponseZone{};
-            const SphincterZone ring = linear ? SphincterZone{} : sphincter_zone(muscle);
+            std::vector<ResponseZone> lines;
+            SphincterZone ring;
+            if (traits.action == MuscleAction::Purse) {
+                ring = sphincter_zone(muscle);
+            } else if (muscle.fibres.empty()) {
+                lines.push_back(linear_zone(muscle, muscle.path));
+            } else {
+                for (const Points& fibre : muscle.fibres) {
+                    lines.push_back(linear_zone(muscle, fibre));
+                }
+            }
             MuscleResponse& response = responses[m];
+            response.whole = traits.action == MuscleAction::CloseLids ||
+                             traits.action == MuscleAction::RaiseLid ||
+                             traits.action == MuscleAction::OpenJaw;
             std::vector<Vec3> shifts;
             std::vector<double> heights;
             std::vector<double> holds;
@@ -95,22 +214,38 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
                     continue;
                 }
                 const Vec3 p = face.skin.mesh.vertices.col(i);
-                const Vec3 unit =
-                    linear ? linear_response(line, p, form) : sphincter_response(ring, p);
-                const double share = zone_share(traits, face.generic.col(i), face.tissue[i]);
-                const Vec3 shift = traits.gain * traits.pull * share * unit;
-                if (shift.squaredNorm() < 1e-10) {
+                Demand demand;
+                if (response.whole) {
+                    demand = traits.action == MuscleAction::OpenJaw
+                                 ? open_jaw(face, i)
+                                 : slide_lid(face, i, traits);
+                    if (face.tissue[i].fixed) {
+                        demand = {};
+                    }
+                } else {
+                    const double share = zone_share(traits, face.generic.col(i), face.tissue[i]);
+                    if (traits.action == MuscleAction::Bulge) {
+                        demand = bulge(muscle, p, share);
+                    } else {
+                        const Vec3 unit = !lines.empty() ? sheet_response(lines, p, form)
+                                                         : sphincter_response(ring, p);
+                        demand.shift = traits.gain * traits.pull * share * unit;
+                        demand.hold = std::min(1.0, share * unit.norm());
+                        if (lines.empty()) {
+                            // Pulls slide the skin over the bone; a ring also pushes it forward.
+                            demand.height = traits.gain * traits.pull * share *
+                                            std::max(0.0, unit.dot(ring.axis)) *
+                                            std::max(0.0, model.ties[i].normal.dot(ring.axis));
+                        }
+                    }
+                }
+                if (demand.shift.squaredNorm() < 1e-10 && demand.height < 1e-5) {
                     continue;
                 }
-                const Vec3 n = model.ties[i].normal;
                 response.nodes.push_back(i);
-                shifts.push_back(shift);
-                // Linear muscles slide the skin over the bone; a ring also pushes it forward.
-                heights.push_back(linear ? 0.0
-                                         : traits.gain * traits.pull * share *
-                                               std::max(0.0, unit.dot(ring.axis)) *
-                                               std::max(0.0, n.dot(ring.axis)));
-                holds.push_back(std::min(1.0, share * unit.norm()));
+                shifts.push_back(demand.shift);
+                heights.push_back(demand.height);
+                holds.push_back(demand.hold);
             }
             const auto count = static_cast<Eigen::Index>(shifts.size());
             response.shift.resize(3, count);
@@ -130,6 +265,7 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
                         const Contractions& contractions) {
     Drive drive;
     const int n = system.model.node_count();
+    Points whole;  // what carries skin as it is, not over the bone
     for (std::size_t m = 0; m < responses.size(); ++m) {
         const double c = contractions.rate[m] * contractions.strength[m];
         if (c == 0.0) {
@@ -148,6 +284,12 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
             const int i = response.nodes[k];
             drive.shift.col(i) += c * response.shift.col(column);
             drive.height[i] += c * response.height[column];
+            if (response.whole) {
+                if (whole.cols() == 0) {
+                    whole = Points::Zero(3, n);
+                }
+                whole.col(i) += c * response.shift.col(column);
+            }
             // As much hold on loose skin as on tight: the lips must follow, not only the cheek.
             const double most = 1.0 + kHold / system.bone_tie[i];
             drive.tether_boost[i] = std::min(
@@ -158,6 +300,12 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
             drive.length_factor[s] = 1.0 - c * chain.shortening;
             drive.stiffness_factor[s] = 1.0 + std::max(c, 0.0) * (chain.activation - 1.0);
         }
+    }
+    // The bone's surface goes along: the target lies where it was carried, not on the old surface.
+    for (Eigen::Index i = 0; i < whole.cols(); ++i) {
+        const Vec3 way = whole.col(i);
+        const Tie& tie = system.model.ties[static_cast<std::size_t>(i)];
+        drive.height[i] += tie.normal.dot(way) + 0.5 * way.dot(tie.curvature * way);
     }
     return drive;
 }

@@ -235,6 +235,10 @@ private:
         const Muscle& muscle = face_.muscles[static_cast<std::size_t>(index)];
         MassSpringModel& model = out_.model;
         const bool ring = muscle.traits.kind == MuscleKind::Sphincter;
+        // These act on the skin by what they do to lids and bone, not through their insertion.
+        const bool passive = muscle.traits.action == MuscleAction::Bulge ||
+                             muscle.traits.action == MuscleAction::OpenJaw ||
+                             muscle.traits.action == MuscleAction::RaiseLid;
         MuscleChain chain;
         chain.first_node = next;
         chain.node_count = static_cast<int>(muscle.path.cols());
@@ -252,7 +256,7 @@ private:
             model.label[node] = {Tissue::Muscle, index};
             model.mass[node] = c_.density * kMuscleArea * muscle.length / parts;
             Tie& tie = model.ties[node];
-            if (!ring && k == 0) {
+            if (passive || (!ring && k == 0)) {
                 model.fixed[node] = 1;
                 model.label[node].tissue = Tissue::Bone;
                 continue;

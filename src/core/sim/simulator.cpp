@@ -243,7 +243,7 @@ void Simulator::fill_motion(StepReport& report) const {
     }
 }
 
-Points scan_positions(const FaceModel& face, const Points& node_positions) {
+Points scan_positions(const FaceModel& face, const Points& node_positions, double jaw) {
     Points result = face.scan->mesh.vertices;
     for (int v = 0; v < face.scan->mesh.vertex_count(); ++v) {
         const int node = face.skin.of_vertex[v];
@@ -251,11 +251,14 @@ Points scan_positions(const FaceModel& face, const Points& node_positions) {
             result.col(v) += node_positions.col(node) - face.skin.mesh.vertices.col(node);
         }
     }
+    for (const int v : jaw > 0.0 ? face.jaw_vertices : std::vector<int>()) {
+        result.col(v) = opened(face.jaw, jaw, result.col(v));
+    }
     return result;
 }
 
 Points Simulator::scan_vertices() const {
-    return scan_positions(*face_, state_.positions);
+    return scan_positions(*face_, state_.positions, jaw_opening(*face_, contractions_));
 }
 
 std::uint64_t Simulator::state_hash() const {

@@ -7,24 +7,13 @@
 #include <numbers>
 
 #include "head_contour.h"
+#include "primitives.h"
 
 namespace myoface {
 namespace {
 
 using Bead = HeadField::Bead;
 using Tube = HeadField::Tube;
-
-/// Smooth union: polynomial, k is the width of the blend [mm].
-double smooth_min(double a, double b, double k) {
-    const double h = std::max(k - std::abs(a - b), 0.0) / k;
-    return std::min(a, b) - 0.25 * k * h * h;
-}
-double smooth_max(double a, double b, double k) {
-    return -smooth_min(-a, -b, k);
-}
-double subtract(double d, double hole, double k) {
-    return smooth_max(d, -hole, k);
-}
 
 double smooth_step(double edge0, double edge1, double x) {
     const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
@@ -35,28 +24,13 @@ double sphere(const Vec3& p, const Vec3& centre, double radius) {
     return (p - centre).norm() - radius;
 }
 
-/// First-order distance to an ellipsoid, given its local coordinates.
-double ellipsoid_local(const Vec3& local, const Vec3& radii) {
-    const double k0 = local.cwiseQuotient(radii).norm();
-    const double k1 = local.cwiseQuotient(radii.cwiseProduct(radii)).norm();
-    return k1 > 1e-12 ? k0 * (k0 - 1.0) / k1 : -radii.minCoeff();
-}
-double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii) {
-    return ellipsoid_local(p - centre, radii);
-}
-/// The same, its front turned towards +x by an angle [degrees].
+/// An ellipsoid, its front turned towards +x by an angle [degrees].
 double turned_ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii, double degrees) {
     const double angle = degrees * std::numbers::pi / 180.0;
     const Vec3 d = p - centre;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
     return ellipsoid_local({c * d.x() - s * d.z(), d.y(), s * d.x() + c * d.z()}, radii);
-}
-
-double capsule(const Vec3& p, const Vec3& a, const Vec3& b, double radius_a, double radius_b) {
-    const Vec3 ab = b - a;
-    const double t = std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
-    return (p - a - t * ab).norm() - (radius_a + t * (radius_b - radius_a));
 }
 
 /// Distance to a chain of beads joined by cones.
@@ -250,8 +224,7 @@ double HeadField::eyes(double d, const Vec3& p) const {
     return d;
 }
 
-double HeadField::nose(const Vec3& q) const {
-    const Vec3 p(std::sqrt(q.x() * q.x() + 0.36), q.y(), q.z());
+double HeadField::nose_ridge(const Vec3& q) const {
     const double e = ridge_round_(q.y());
     const double s = ridge_slope_(q.y());
     const double root = std::sqrt(q.x() * q.x() + e * e);
@@ -259,7 +232,12 @@ double HeadField::nose(const Vec3& q) const {
     double ridge = (q.z() - (ridge_z_(q.y()) - (root - e) / s)) / std::sqrt(1.0 + side * side);
     const double bound =
         std::max({std::abs(q.y() - 2.0) - 36.0, std::abs(q.x()) - 22.0, 62.0 - q.z()});
-    double d = smooth_max(ridge, bound, 6.0);
+    return smooth_max(ridge, bound, 6.0);
+}
+
+double HeadField::nose(const Vec3& q) const {
+    const Vec3 p(std::sqrt(q.x() * q.x() + 0.36), q.y(), q.z());
+    double d = nose_ridge(q);
     d = smooth_min(d, sphere(q, {0, -17.4, 112.4}, 5.3), 9.0);
     d = smooth_min(d, sphere(p, {4.0, -18.6, 109.2}, 4.7), 6.0);
     d = smooth_min(d, capsule(p, {4.0, -14.0, 106}, {8.0, -8, 96.0}, 4.6, 4.4), 8.0);
@@ -323,6 +301,14 @@ Vec3 HeadField::in_primitives(const Vec3& p) const {
 
 double HeadField::operator()(const Vec3& p) const {
     return primitives(in_primitives(p));
+}
+
+double HeadField::smooth_face(const Vec3& p) const {
+    const Vec3 q = in_primitives(p);
+    double d = bony_face(q);
+    // The bridge of the nose is bone; its lower half is not.
+    const double ridge = smooth_max(nose_ridge(q) + 0.35 * std::max(0.0, 12.0 - q.y()), 5.0 - q.y(), 8.0);
+    return smooth_min(d, ridge, 7.0);
 }
 
 double HeadField::primitives(const Vec3& q) const {

@@ -19,6 +19,9 @@ public:
     double operator()(const Vec3& p) const;
     /// Where a point lay before the contour was corrected: the space of the curves below.
     Vec3 in_primitives(const Vec3& p) const;
+    /// The same without lips, lids, nostrils, ears and the soft part of the nose: what the skull
+    /// follows.
+    double smooth_face(const Vec3& p) const;
     /// A few Newton steps onto the surface. With `keep_x` the point stays in its sagittal plane.
     Vec3 onto_surface(const Vec3& p, bool keep_x = false) const;
     /// Foremost surface point with this x and y.
@@ -54,6 +57,7 @@ private:
     double base(const Vec3& p) const;
     double bony_face(const Vec3& p) const;  ///< base, jaw, brow, cheeks, neck
     double eyes(double d, const Vec3& p) const;
+    double nose_ridge(const Vec3& p) const;
     double nose(const Vec3& p) const;
     double ear(const Vec3& p) const;
     double without_lips(const Vec3& p) const;

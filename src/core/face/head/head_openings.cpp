@@ -392,7 +392,7 @@ int add_mouth_bag(MeshBuilder& builder, const CutHead& half) {
             const double high = row.height * std::pow(std::max(1.0 - u * u, 0.0), roundness);
             const bool upper = i == corner ? false : (i < corner) == upper_first;
             const double sign = i == corner ? 0.0 : upper ? 1.0 : -1.0;
-            current.push_back(builder.add({u * (width + row.wider), p.y() + sign * (upper ? 1.0 : 0.85) * high,
+            current.push_back(builder.add({u * (width + row.wider), p.y() + sign * (upper || row.depth > 15.0 ? 1.0 : 0.6) * high,
                                            p.z() - row.depth * (1.0 + 0.25 * u * u)}));
         }
         for (std::size_t i = 0; i + 1 < run.size(); ++i) {

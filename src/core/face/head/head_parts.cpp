@@ -62,9 +62,9 @@ struct Arch {
 };
 
 Arch arch_of(const Vec3& mid_lips, bool upper) {
-    constexpr double kBehindLips = 9.2;  // front of the upper incisors
-    return upper ? Arch{29.0, 43.0, mid_lips.z() - kBehindLips}
-                 : Arch{27.0, 41.0, mid_lips.z() - kBehindLips - 2.6};
+    constexpr double kBehindLips = 9.6;  // front of the upper incisors
+    return upper ? Arch{26.0, 52.0, mid_lips.z() - kBehindLips}
+                 : Arch{24.4, 50.0, mid_lips.z() - kBehindLips - 2.6};
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ void add_teeth(MeshBuilder& builder, const Vec3& mid_lips, bool upper, int aroun
                                            {10.4, 7.2, 9.0}}};
     const Arch arch = arch_of(mid_lips, upper);
     // Upper incisors cover the lower ones by 2 mm and show a little below the upper lip.
-    const double edge = mid_lips.y() + (upper ? -0.4 : 1.2);
+    const double edge = mid_lips.y() + (upper ? -2.0 : 1.4);
     double angle = 0.0;
     double done = 0.0;
     for (const Tooth& tooth : upper ? kUpper : kLower) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include "myoface/face/face_model.h"
+
+#include "sliding_surface.h"
+
+namespace myoface {
+
+/// Carries the skull onto the face: warped by the landmarks, then moved with the scan's smooth skin
+/// where there is any, so that the tissue keeps its depth. Sets bone, its parts and the jaw's
+/// hinge, the eyeballs and the loose parts that hang on the jaw.
+void place_skull(FaceModel& face, const SmoothFace& smooth,
+                 const std::function<Vec3(const Vec3&)>& from_generic);
+
+}  // namespace myoface
