@@ -8,8 +8,45 @@ bin=build/release/bin
 out=docs/user/pictures
 export QT_FONT_DPI=96 MYOFACE_NO_MULTISAMPLING=
 size=640x720
-"$bin/myoface-cli" render generic --size $size --view three-quarter-left -o $out/generic.png
-"$bin/myoface-cli" render generic --size $size --view three-quarter-left --layers muscle,bone -o $out/layers.png
+draw() { "$bin/myoface-cli" render "$@"; }
+draw generic --size $size --view three-quarter-left -o $out/generic.png
+draw generic --size $size --view three-quarter-left --layers muscle,bone -o $out/layers.png
+draw generic --size $size --layers muscle,bone -o $out/atlas-front.png
+draw generic --size $size --layers muscle,bone --view left -o $out/atlas-side.png
+draw generic --size $size --layers skin,muscle,bone --skin-opacity 1 --cut-away 0.5 --view three-quarter-left -o $out/atlas-cut.png
+draw generic --size $size --layers springs -o $out/atlas-springs.png
+
+# Women and men of three ages, close-ups and what the muscles do: two sheets put together by ImageMagick.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for sex in f m; do
+  for age in 25 50 78; do
+    "$bin/myoface-cli" generate --sex $sex --age $age --vertices 30000 -o "$work/$sex$age.obj" \
+      --landmarks-out "$work/$sex$age.landmarks.json"
+    draw "$work/$sex$age.obj" --size 460x520 --view front -o "$work/$sex$age-front.png"
+    draw "$work/$sex$age.obj" --size 460x520 --view three-quarter-left -o "$work/$sex$age-turned.png"
+  done
+done
+montage "$work"/{f,m}{25,50,78}-{front,turned}.png -tile 6x2 -geometry +2+2 "$work/people.png"
+convert "$work/people.png" -resize 1500x -quality 90 $out/people.jpg
+face=$work/f25.obj
+close() { draw "$face" --size 460x460 --focus "$1" --span "$2" --view "$3" -o "$work/close-$1-$3.png"; }
+close ex_l 62 three-quarter-left
+close prn 70 three-quarter-left
+close prn 70 below
+close sto 76 front
+close t_l 96 left
+montage "$work"/close-*.png -tile 5x1 -geometry +2+2 "$work/close.png"
+convert "$work/close.png" -resize 1500x -quality 90 $out/close-ups.jpg
+act() { local name=$1; shift; draw "$face" --size 460x520 "$@" -o "$work/act-$name.png"; }
+act 1-rest
+act 2-smile --muscle zygomaticus_major=0.8 --muscle orbicularis_oculi_orbital=0.5 --muscle risorius=0.2
+act 3-frown --muscle corrugator_supercilii=1 --muscle procerus=1 --muscle depressor_anguli_oris=0.6
+act 4-eyes-closed --muscle orbicularis_oculi_palpebral=1
+act 5-mouth-open --muscle jaw_opening=0.8
+montage "$work"/act-*.png -tile 5x1 -geometry +2+2 "$work/acts.png"
+convert "$work/acts.png" -resize 1500x -quality 90 $out/actions.jpg
+
 [ $# -ge 1 ] || exit 0
 scan=$1
 "$bin/myoface-cli" render "$scan" --size $size -o $out/scan-before.png

@@ -8,6 +8,7 @@ namespace myoface::cli {
 /// Each adds one subcommand with its options and what it does.
 void add_info(CLI::App& app);
 void add_landmarks(CLI::App& app);
+void add_measure(CLI::App& app);
 void add_generate(CLI::App& app);
 void add_fit(CLI::App& app);
 void add_simulate(CLI::App& app);

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     try {
         myoface::cli::add_info(app);
         myoface::cli::add_landmarks(app);
+        myoface::cli::add_measure(app);
         myoface::cli::add_generate(app);
         myoface::cli::add_fit(app);
         myoface::cli::add_simulate(app);

@@ -24,6 +24,7 @@ struct Arguments {
     std::string focus;
     double span = 90.0;
     double cut_away = 0.0;
+    double skin_opacity = -1.0;  // as the other layers ask for
     bool whole = false;
     bool no_loose_parts = false;
 };
@@ -104,7 +105,10 @@ void render(const Arguments& a) {
         height < 16 || width > 8192 || height > 8192) {
         throw InvalidInput("The size '" + a.size + "' is not WIDTHxHEIGHT of 16 to 8192 pixels.");
     }
-    const LayerOpacity layers = parse_layers(a.layers);
+    LayerOpacity layers = parse_layers(a.layers);
+    if (a.skin_opacity >= 0.0 && layers.skin > 0.0F) {
+        layers.skin = static_cast<float>(std::min(a.skin_opacity, 1.0));
+    }
     const Plan plan = a.edits.edits();
     Camera camera;
     camera.orientation = standard_view(a.view);
@@ -164,6 +168,10 @@ void add_render(CLI::App& app) {
     command->add_option("--size", a->size, "WIDTHxHEIGHT");
     command->add_flag("--no-loose-parts", a->no_loose_parts,
                       "leave out what does not hang together with the face");
+    command
+        ->add_option("--skin-opacity", a->skin_opacity,
+                     "0 to 1; 0.4 where muscles or bone are shown too")
+        ->check(CLI::Range(0.0, 1.0));
     command->add_option("--cut-away", a->cut_away,
                         "take the skin away from the patient's left side on, 0 to 1");
     command->add_option("--focus", a->focus, "landmark in the middle: a close-up");

@@ -67,8 +67,8 @@ int main(int argc, char** argv) try {
         }
         for (std::size_t m = 0; m < face->muscles.size(); ++m) {
             const MuscleTraits& traits = face->muscles[m].traits;
-            if (traits.side == Side::Right || (traits.action != MuscleAction::Pull &&
-                                               traits.action != MuscleAction::Purse)) {
+            if (traits.side == Side::Right ||
+                (traits.action != MuscleAction::Pull && traits.action != MuscleAction::Purse)) {
                 continue;  // lids, jaw and bellies go by geometry
             }
             Simulator sim(face);

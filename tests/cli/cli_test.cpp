@@ -65,7 +65,7 @@ TEST(Info, TellsWhatIsInTheFile) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(json["unit"], "mm");
-    EXPECT_EQ(json["components"], 3);
+    EXPECT_EQ(json["components"], 35);
     EXPECT_EQ(json["landmarks"], 35);
 }
 
@@ -101,11 +101,39 @@ TEST(Simulate, WritesTheReportThatIsDocumented) {
 TEST(Simulate, ReplaysAPlan) {
     const std::string plan = (face().folder / "plan.json").string();
     std::ofstream(plan) << R"({"plan":[{"muscle":"mentalis","rate":0.5}]})";
-    const std::string a = (face().folder / "a.obj").string();
-    const std::string b = (face().folder / "b.obj").string();
+    const std::string a = (face().folder / "a.ply").string();
+    const std::string b = (face().folder / "b.ply").string();
     ASSERT_EQ(cli("simulate " + face().scan + " --plan " + plan + " -o " + a).code, 0);
     ASSERT_EQ(cli("simulate " + face().scan + " --muscle mentalis=0.5 -o " + b).code, 0);
     EXPECT_EQ(read_file(a), read_file(b));
+}
+
+TEST(Generate, MeasuresAsTheNormsSay) {
+    const std::string woman = (face().folder / "woman.glb").string();
+    const std::string marks = (face().folder / "woman.json").string();
+    ASSERT_EQ(cli("generate --sex f --age 22 --vertices 4000 --picture 128 -o " + woman +
+                  " --landmarks-out " + marks)
+                  .code,
+              0);
+    const auto result = cli("measure " + woman + " --landmarks " + marks + " --sex f --age 22");
+    ASSERT_EQ(result.code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    int within = 0;
+    for (const auto& row : json["measures"]) {
+        within += row["unit"] == "mm" && std::abs(row["z"].get<double>()) <= 1.0;
+    }
+    EXPECT_GE(within, 18);
+    EXPECT_NE(json["note"].get<std::string>().find("not a medical device"), std::string::npos);
+    const std::string csv = (face().folder / "m.csv").string();
+    ASSERT_EQ(
+        cli("measure " + woman + " --landmarks " + marks + " --compare " + woman + " -o " + csv)
+            .code,
+        0);
+    const std::string table = read_file(csv);
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 25);
+    EXPECT_NE(table.find("n-gn,facial height,mm,"), std::string::npos);
+    EXPECT_EQ(cli("measure " + woman + " --sex x").code, 2);
+    EXPECT_EQ(cli("generate --vertices 12 -o " + woman).code, 1);
 }
 
 TEST(Fit, WritesCaseMusclesAndBone) {
@@ -159,8 +187,8 @@ TEST(Info, TellsUnitAxesAndFindings) {
     EXPECT_EQ(json["unit"], "m");
     EXPECT_EQ(json["axes"], "+x-z+y");
     EXPECT_GT(json["frame_confidence"], 0.5);
-    EXPECT_EQ(json["components"], 3);
-    EXPECT_EQ(json["parts"].size(), 3U);
+    EXPECT_EQ(json["components"], 35);
+    EXPECT_EQ(json["parts"].size(), 35U);
     const auto known = nlohmann::json::parse(
         cli("info " + out + " --known \"from=vertex 0; to=vertex 1; mm=7\"").out);
     const Points& v = scan.file_vertices;

@@ -137,7 +137,8 @@ TEST(Contraction, OfEveryMuscleIsFiniteAndTurnsNothingOver) {
         EXPECT_TRUE(report.converged) << name;
         ASSERT_TRUE(sim.state().positions.allFinite()) << name;
         EXPECT_GT(report.max_displacement_mm, 0.5) << name;
-        EXPECT_LT(report.max_displacement_mm, 20.0) << name;
+        const bool jaw = sim.face().muscles[m].traits.action == MuscleAction::OpenJaw;
+        EXPECT_LT(report.max_displacement_mm, jaw ? 55.0 : 20.0) << name;
         const TriangleMesh& rest = sim.face().skin.mesh;
         const TriangleMesh now{sim.state().positions.leftCols(rest.vertex_count()), rest.triangles};
         int turned = 0;
@@ -147,7 +148,8 @@ TEST(Contraction, OfEveryMuscleIsFiniteAndTurnsNothingOver) {
                 Tissue::Skin;
             turned += !inner && double_area_vector(rest, t).dot(double_area_vector(now, t)) < 0.0;
         }
-        EXPECT_LE(turned, 2) << name;
+        // With the jaw wide open the skin under the chin folds.
+        EXPECT_LE(turned, jaw ? 8 : 2) << name;
     }
 }
 

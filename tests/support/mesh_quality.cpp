@@ -54,8 +54,8 @@ double smallest_angle(const TriangleMesh& mesh, int triangle) {
     for (int c = 0; c < 3; ++c) {
         const Vec3 u = mesh.corner(triangle, (c + 1) % 3) - mesh.corner(triangle, c);
         const Vec3 v = mesh.corner(triangle, (c + 2) % 3) - mesh.corner(triangle, c);
-        smallest = std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 /
-                                          std::numbers::pi);
+        smallest =
+            std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / std::numbers::pi);
     }
     return smallest;
 }
@@ -90,8 +90,7 @@ std::vector<std::pair<int, int>> crossing_triangles(const TriangleMesh& mesh, do
                 bool shared = false;
                 for (int a = 0; a < 3; ++a) {
                     for (int b = 0; b < 3; ++b) {
-                        shared = shared ||
-                                 mesh.triangles(a, list[i]) == mesh.triangles(b, list[j]);
+                        shared = shared || mesh.triangles(a, list[i]) == mesh.triangles(b, list[j]);
                     }
                 }
                 if (!shared && box.intersects(box_of(mesh, list[j])) &&

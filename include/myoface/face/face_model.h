@@ -24,9 +24,9 @@ struct Muscle {
     Points path;     ///< 3×P: bone end … skin end; sphincter: closed ring; sheet: middle fibre
     Points outward;  ///< 3×P: normal of the face over each point
     std::vector<Points> fibres;  ///< of sheets and volumes: 3×P each, from one edge to the other
-    double length = 0.0;        ///< of a linear muscle's path, or around a ring
-    Vec3 axis = Vec3::UnitZ();  ///< sphincter: normal of the ring, out of the face
-    Vec3 wide = Vec3::UnitX();  ///< sphincter: direction of the longer semi-axis
+    double length = 0.0;         ///< of a linear muscle's path, or around a ring
+    Vec3 axis = Vec3::UnitZ();   ///< sphincter: normal of the ring, out of the face
+    Vec3 wide = Vec3::UnitX();   ///< sphincter: direction of the longer semi-axis
     double half_width = 0.0, half_height = 0.0;
     Vec3 centre = Vec3::Zero();
 };
@@ -49,10 +49,10 @@ enum class BonePart : std::uint8_t { Cranium, Mandible, UpperTeeth, LowerTeeth }
 /// How the jaw opens: a turn about the axis through both condyles, which slide forward and down
 /// along the slope of the joint meanwhile. @cite posselt_1957
 struct JawHinge {
-    Vec3 centre = Vec3::Zero();           ///< midway between the condyles [mm]
-    Vec3 axis = Vec3::UnitX();            ///< unit, to the patient's left
-    Vec3 slide = Vec3::Zero();            ///< of the condyles at full opening [mm]
-    double full_opening = 0.0;            ///< turn at full opening [rad]
+    Vec3 centre = Vec3::Zero();  ///< midway between the condyles [mm]
+    Vec3 axis = Vec3::UnitX();   ///< unit, to the patient's left
+    Vec3 slide = Vec3::Zero();   ///< of the condyles at full opening [mm]
+    double full_opening = 0.0;   ///< turn at full opening [rad]
 };
 
 /// A place of the mandible when the jaw is open by a share of its full opening.
@@ -75,13 +75,15 @@ struct FaceModel {
     std::vector<std::vector<MuscleWeight>> muscles_under;
     Points eyes;  ///< 3×2: centres of the left and right eyeball [mm]
     double eye_radius = 12.2;
-    std::vector<int> jaw_vertices;  ///< of the scan: loose parts that hang on the mandible
-    std::vector<Muscle> muscles;           ///< in the atlas' order
-    TriangleMesh bone;                     ///< skull and mandible with their teeth
-    std::vector<BonePart> bone_part;       ///< per bone vertex
+    std::vector<int> jaw_vertices;    ///< of the scan: loose parts that hang on the mandible
+    std::vector<Muscle> muscles;      ///< in the atlas' order
+    TriangleMesh bone;                ///< skull and mandible with their teeth
+    std::vector<BonePart> bone_part;  ///< per bone vertex
     JawHinge jaw;
     std::vector<std::pair<int, int>> lip_contacts;  ///< upper and lower node that touch
-    Mat3 axes = Mat3::Identity();                   ///< columns: the face's left, up and front
+    /// Per skin node: 1 upper lip, -1 lower lip, 0 elsewhere, or everywhere where lips are fused.
+    std::vector<signed char> lip_side;
+    Mat3 axes = Mat3::Identity();  ///< columns: the face's left, up and front
 
     int node_count() const { return skin.mesh.vertex_count(); }
 };

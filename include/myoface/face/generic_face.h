@@ -17,8 +17,8 @@ struct GenericFaceOptions {
     double age = 25.0;                  ///< years; the norms cover 20-25 and are held beyond
     std::optional<std::uint32_t> seed;  ///< an individual drawn from the norms' spread
     double asymmetry = 0.0;             ///< how far left and right differ, one sigma [mm]
-    double stubble = 0.0;               ///< 0 shaved … 1 three days' beard; shows on men and women
-    int picture = 0;  ///< side of a skin texture [pixels], 0 for colours at the vertices only
+    double stubble = 0.0;  ///< 0 shaved … 1 three days' beard; shows on men and women
+    int picture = 0;       ///< side of a skin texture [pixels], 0 for colours at the vertices only
 };
 
 /// The built-in head with its landmarks, in mm and our axes: origin midway between the tragia.

@@ -66,11 +66,11 @@ struct MuscleTraits {
 struct AtlasMuscle {
     MuscleTraits traits;
     Points path;  ///< bone end first; closed ring (sphincter); the middle fibre of a sheet [mm]
-    std::vector<Points> edges;       ///< outermost fibres of sheets and volumes
-    bool deep = false;               ///< runs inside the orbit, not under the skin
-    bool shares_mouth = false;       ///< its ring is half of the mouth's
-    double origin_depth = 1.0;       ///< of the bone end, as a share of the tissue's depth
-    double insertion_depth = 0.3;    ///< of the other end
+    std::vector<Points> edges;     ///< outermost fibres of sheets and volumes
+    bool deep = false;             ///< runs inside the orbit, not under the skin
+    bool shares_mouth = false;     ///< its ring is half of the mouth's
+    double origin_depth = 1.0;     ///< of the bone end, as a share of the tissue's depth
+    double insertion_depth = 0.3;  ///< of the other end
 };
 
 using MuscleAtlas = std::vector<AtlasMuscle>;

@@ -62,14 +62,15 @@ struct TissueProperties {
 TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward);
 
 /// How far a place moves with the mandible: 1 chin and lower lip, 0 upper lip and brow, smooth over
-/// the cheek and down the neck. @param p generic coordinates [mm]
-double jaw_share(const Vec3& p);
+/// the cheek and down the neck. @param p generic coordinates [mm] @param lip_side as in
+/// upper_lip_share()
+double jaw_share(const Vec3& p, int lip_side = 0);
 
 /// Where the lids are: heights of both margins at a place's distance from the midline, and how far
 /// the place follows each of them, 1 at the margin.
 struct LidPlace {
-    double upper = 0.0, lower = 0.0;              ///< y of the margins [mm]
-    double with_upper = 0.0, with_lower = 0.0;    ///< 0 … 1
+    double upper = 0.0, lower = 0.0;            ///< y of the margins [mm]
+    double with_upper = 0.0, with_lower = 0.0;  ///< 0 … 1
 };
 LidPlace lid_place(const Vec3& p);
 /// Centre of the average head's eyeball, left.
@@ -81,7 +82,8 @@ bool looks_inward(const Vec3& p, const Vec3& normal);
 
 /// Above the line where the lips meet? 1 upper, 0 lower, smooth over `softness` mm; 0.5 sideways of
 /// the mouth corners means that both lips' muscles act.
-double upper_lip_share(const Vec3& p, double softness);
+/// @param side 1 or -1 where a slit tells the lips apart, 0 where only the height does
+double upper_lip_share(const Vec3& p, double softness, int side = 0);
 
 /// Soft-tissue depth [mm] at places of the average head, from the table of sites in assets/.
 /// @throws IoError when the program's own table is damaged

@@ -25,7 +25,7 @@ struct TissueConstants {
     double spring_damping = 0.2;      ///< share of critical
     double tie_damping = 1.0;         ///< share of critical
     double passive_muscle = 0.12;     ///< stiffness of a muscle at rest, of that in action
-    double lip_contact = 300.0;       ///< [mN/mm]
+    double lip_contact = 1000.0;      ///< [mN/mm]
 };
 
 /// Where one muscle's parts stand in the model.
@@ -42,6 +42,7 @@ struct FaceMassSpring {
     std::vector<MuscleChain> chains;   ///< per muscle
     std::vector<double> strain_limit;  ///< per skin node
     std::vector<double> bone_tie;      ///< per skin node, 1 usual
+    std::vector<int> skin_over;        ///< per node of a muscle chain: the skin node next to it
 };
 
 /// Builds springs, hinges, ties and muscle chains.

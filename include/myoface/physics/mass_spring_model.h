@@ -96,7 +96,9 @@ MassSpringState rest_state(const MassSpringModel& model);
 
 /// Inputs of a step: contraction and gravity act through these, the model stays.
 struct Drive {
-    Points shift;                          ///< 3×N tether target [mm], or 3×0
+    Points shift;  ///< 3×N tether target [mm], or 3×0
+    /// 3×N way of the bone or eyeball under a node [mm], or 3×0: its ties go along.
+    Points carry;
     Eigen::VectorXd height;                ///< N thickness target [mm], or 0
     Eigen::VectorXd tether_boost;          ///< N factor on k_t, or 0
     std::vector<double> length_factor;     ///< per spring factor on L, or empty

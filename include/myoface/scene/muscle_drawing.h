@@ -12,9 +12,9 @@
 
 namespace myoface {
 
-/// Muscles as bundles of fibres: strands beside each other that thin out into tendons, thicker while
-/// the muscle is short so that it keeps its volume. Coloured by muscle, both sides of a pair alike.
-/// Fills positions and normals; indices and colours too where `layer` has none yet.
+/// Muscles as bundles of fibres: strands beside each other that thin out into tendons, thicker
+/// while the muscle is short so that it keeps its volume. Coloured by muscle, both sides of a pair
+/// alike. Fills positions and normals; indices and colours too where `layer` has none yet.
 void draw_muscles(SurfaceLayer& layer, const FaceModel& face,
                   const std::vector<MuscleChain>& chains, const Points& nodes);
 

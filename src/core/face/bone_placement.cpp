@@ -12,6 +12,7 @@
 
 #include "head/head_mesh.h"
 #include "head/skull.h"
+#include "muscle_placement.h"
 
 namespace myoface {
 namespace {
@@ -26,8 +27,8 @@ struct Shifts {
     std::vector<double> weight;
 };
 
-Shifts follow_skin(const FaceModel& face, const SmoothFace& smooth, const Points& skin) {
-    const TriangleMesh surface{smooth.vertices, face.skin.mesh.triangles};
+Shifts follow_skin(const FaceModel& face, const Points& skin) {
+    const TriangleMesh surface = outer_skin(face);
     const Bvh bvh(surface);
     Shifts shifts{Points::Zero(3, skin.cols()),
                   std::vector<double>(static_cast<std::size_t>(skin.cols()), 0.0)};
@@ -70,9 +71,8 @@ Points smoothed(const Shifts& shifts, const Adjacency& adjacency) {
 
 /// Teeth move as a row with the bone beside them.
 void move_teeth(Points& shift, const Skull& skull) {
-    for (const auto& [teeth, bone] :
-         {std::pair{BonePart::UpperTeeth, BonePart::Cranium},
-          std::pair{BonePart::LowerTeeth, BonePart::Mandible}}) {
+    for (const auto& [teeth, bone] : {std::pair{BonePart::UpperTeeth, BonePart::Cranium},
+                                      std::pair{BonePart::LowerTeeth, BonePart::Mandible}}) {
         Vec3 mean = Vec3::Zero();
         double count = 0.0;
         for (int v = 0; v < skull.mesh.vertex_count(); ++v) {
@@ -110,15 +110,14 @@ std::vector<int> lower_mouth_parts(const FaceModel& face,
     }
     // The place between the rows of teeth, in this face's axes.
     const Vec3 middle = from_generic({0.0, -51.4, 75.0});
-    const int skin =
-        scan.triangle_part[static_cast<std::size_t>(face.skin.of_triangle.front())];
+    const int skin = scan.triangle_part[static_cast<std::size_t>(face.skin.of_triangle.front())];
     std::vector<char> lower(parts, 0);
     for (std::size_t part = 0; part < parts; ++part) {
         if (static_cast<int>(part) == skin || count[part] == 0.0) {
             continue;
         }
-        const Vec3 off = face.to_generic.scale *
-                         (face.axes.transpose() * (sum[part] / count[part] - middle));
+        const Vec3 off =
+            face.to_generic.scale * (face.axes.transpose() * (sum[part] / count[part] - middle));
         lower[part] = std::abs(off.x()) < 36.0 && off.y() < 0.0 && off.y() > -25.0 &&
                       off.z() > -50.0 && off.z() < 28.0;
     }
@@ -142,8 +141,7 @@ std::vector<int> lower_mouth_parts(const FaceModel& face,
 
 }  // namespace
 
-void place_skull(FaceModel& face, const SmoothFace& smooth,
-                 const std::function<Vec3(const Vec3&)>& from_generic) {
+void place_skull(FaceModel& face, const std::function<Vec3(const Vec3&)>& from_generic) {
     const Skull& skull = generic_skull();
     const int n = skull.mesh.vertex_count();
     face.bone = skull.mesh;
@@ -156,7 +154,7 @@ void place_skull(FaceModel& face, const SmoothFace& smooth,
         }
     });
     static const Adjacency kAdjacency(generic_skull().mesh);
-    Points shift = smoothed(follow_skin(face, smooth, skin), kAdjacency);
+    Points shift = smoothed(follow_skin(face, skin), kAdjacency);
     move_teeth(shift, skull);
     face.bone.vertices += shift;
 

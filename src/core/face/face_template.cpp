@@ -64,8 +64,7 @@ FaceTemplate build() {
     for (int i = 0; i < kNodes; ++i) {
         const Vec3 p = face.points.col(i);
         face.normals.col(i) = gradient(head, p);
-        const bool eye =
-            (Vec3(std::abs(p.x()), p.y(), p.z()) - head.eye_centre()).norm() < 19.0;
+        const bool eye = (Vec3(std::abs(p.x()), p.y(), p.z()) - head.eye_centre()).norm() < 19.0;
         face.weights[i] = eye ? 0.3 : (p - tip).norm() < 75.0 ? 1.0 : 0.5;
     }
     face.tip = tip;

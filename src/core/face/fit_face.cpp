@@ -236,6 +236,39 @@ std::vector<std::pair<int, int>> find_lip_contacts(const FaceModel& face) {
     return pairs;
 }
 
+/// Which lip a node belongs to, told along the surface: both margins lie at the same place.
+std::vector<signed char> find_lip_sides(const FaceModel& face) {
+    std::vector<signed char> side(static_cast<std::size_t>(face.node_count()), 0);
+    if (face.lip_contacts.empty()) {
+        return side;
+    }
+    constexpr double kSure = 1.5;  // [mm] above or below the line where the lips meet
+    std::vector<char> mouth(side.size(), 0);
+    std::vector<int> reached;
+    for (int v = 0; v < face.node_count(); ++v) {
+        const Vec3 p = face.generic.col(v);
+        if (std::abs(p.x()) > 34.0 || std::abs(p.y() + 52.0) > 26.0 || p.z() < 35.0) {
+            continue;
+        }
+        mouth[v] = 1;
+        const double upper = upper_lip_share({0.0, p.y(), p.z()}, kSure);
+        if (upper >= 1.0 || upper <= 0.0) {
+            side[v] = upper >= 1.0 ? 1 : -1;
+            reached.push_back(v);
+        }
+    }
+    // Breadth first from the sure ones.
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+        for (const int w : face.adjacency->neighbours(reached[next])) {
+            if (mouth[w] != 0 && side[w] == 0) {
+                side[w] = side[reached[next]];
+                reached.push_back(w);
+            }
+        }
+    }
+    return side;
+}
+
 }  // namespace
 
 FileFrame frame_from_landmarks(const LandmarkFile& file, std::optional<double> mm_per_unit,
@@ -329,8 +362,9 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     place_muscles(*face, smooth_normals, [&](const Vec3& p) { return back(from_average(p)); });
     label_skin(*face);
     report("Fitting the face", 0.85);
-    place_skull(*face, smooth, [&](const Vec3& p) { return back(from_average(p)); });
+    place_skull(*face, [&](const Vec3& p) { return back(from_average(p)); });
     face->lip_contacts = find_lip_contacts(*face);
+    face->lip_side = find_lip_sides(*face);
     report("Fitting the face", 1.0);
     return face;
 }

@@ -93,9 +93,16 @@ class PersonalWarp {
 public:
     PersonalWarp(const Landmarks& from, const Landmarks& to, double size) : size_(size) {
         // The back of the head and the neck hold the warp where there are no landmarks.
-        const std::array<Vec3, 10> anchors{
-            {{0, 130, -10}, {0, 40, -98}, {62, 60, -45}, {-62, 60, -45}, {0, -150, 20},
-             {0, -150, -78}, {50, -150, -30}, {-50, -150, -30}, {76, 5, -22}, {-76, 5, -22}}};
+        const std::array<Vec3, 10> anchors{{{0, 130, -10},
+                                            {0, 40, -98},
+                                            {62, 60, -45},
+                                            {-62, 60, -45},
+                                            {0, -150, 20},
+                                            {0, -150, -78},
+                                            {50, -150, -30},
+                                            {-50, -150, -30},
+                                            {76, 5, -22},
+                                            {-76, 5, -22}}};
         const auto n = static_cast<Eigen::Index>(from.size() + anchors.size());
         Points a(3, n);
         Points b(3, n);
@@ -137,9 +144,8 @@ void apply(const PersonalWarp& warp, const HeadMesh& head, const Points& varied,
             }
             Vec3 p = warp(varied.col(v));
             // Linings touch the ball, skin keeps a lid's thickness from it.
-            const double at_least =
-                std::min(radius + (part == HeadPart::Skin ? 1.1 : 0.12),
-                         (before - centre(before)).norm() * warp.size());
+            const double at_least = std::min(radius + (part == HeadPart::Skin ? 1.1 : 0.12),
+                                             (before - centre(before)).norm() * warp.size());
             const Vec3 away = p - ball;
             if ((part == HeadPart::Skin || part == HeadPart::LidMargin) &&
                 (before - centre(before)).norm() < HeadField::kEyeRadius + 6.0 &&
@@ -178,10 +184,9 @@ GenericFace make_generic_face(const GenericFaceOptions& options, const Progress*
             for (int v = begin; v < end; ++v) {
                 const HeadPart part = head.part[static_cast<std::size_t>(v)];
                 if (part != HeadPart::Eye) {
-                    varied.col(v) +=
-                        variation_shift(variation, varied.col(v),
-                                        part == HeadPart::Skin ? Vec3(normals.col(v))
-                                                               : Vec3(Vec3::Zero()));
+                    varied.col(v) += variation_shift(
+                        variation, varied.col(v),
+                        part == HeadPart::Skin ? Vec3(normals.col(v)) : Vec3(Vec3::Zero()));
                 }
             }
         });
@@ -192,8 +197,8 @@ GenericFace make_generic_face(const GenericFaceOptions& options, const Progress*
         const double size = personal ? size_of(wanted) : 1.0;
         for (auto& [name, landmark] : from) {
             landmark.position =
-                size * (landmark.position +
-                        variation_shift(variation, landmark.position, Vec3::Zero()));
+                size *
+                (landmark.position + variation_shift(variation, landmark.position, Vec3::Zero()));
         }
         Landmarks to = personal ? with_measures(from, wanted) : from;
         if (options.asymmetry > 0.0) {

@@ -55,10 +55,14 @@ AtlasMuscle parse_muscle(const json& entry) {
     if (entry.contains("action")) {
         t.action = kActions.at(entry.at("action").get<std::string>());
     }
-    for (const auto& [field, text] :
-         {std::pair<const char*, std::string*>{"latin", &t.latin}, {"nerve", &t.nerve},
-          {"origin", &t.origin}, {"insertion", &t.insertion}, {"does", &t.does},
-          {"does_ja", &t.does_ja}, {"note", &t.note}, {"note_ja", &t.note_ja}}) {
+    for (const auto& [field, text] : {std::pair<const char*, std::string*>{"latin", &t.latin},
+                                      {"nerve", &t.nerve},
+                                      {"origin", &t.origin},
+                                      {"insertion", &t.insertion},
+                                      {"does", &t.does},
+                                      {"does_ja", &t.does_ja},
+                                      {"note", &t.note},
+                                      {"note_ja", &t.note_ja}}) {
         *text = entry.at(field).get<std::string>();
     }
     muscle.deep = entry.value("deep", false);

@@ -16,27 +16,12 @@
 namespace myoface {
 namespace {
 
-constexpr int kParts = 8;                // of a linear muscle's chain
+constexpr int kParts = 8;  // of a linear muscle's chain
 constexpr double kRingDepth = 0.35;
 
 bool inner(const FaceModel& face, int node) {
     const TissueProperties& tissue = face.tissue[static_cast<std::size_t>(node)];
     return tissue.tissue != Tissue::Skin && tissue.region != Region::Ear;
-}
-
-/// The scan without mouth bag and nostrils.
-TriangleMesh outer_skin(const FaceModel& face) {
-    const TriangleMesh& skin = face.skin.mesh;
-    TriangleMesh outer{skin.vertices, Triangles(3, skin.triangle_count())};
-    Eigen::Index count = 0;
-    for (int t = 0; t < skin.triangle_count(); ++t) {
-        const auto v = skin.triangles.col(t);
-        if (!inner(face, v[0]) && !inner(face, v[1]) && !inner(face, v[2])) {
-            outer.triangles.col(count++) = v;
-        }
-    }
-    outer.triangles.conservativeResize(3, count);
-    return outer;
 }
 
 struct SkinSurface {
@@ -124,6 +109,20 @@ void measure_ring(const FaceModel& face, Muscle& muscle, const Points& outline) 
 
 }  // namespace
 
+TriangleMesh outer_skin(const FaceModel& face) {
+    const TriangleMesh& skin = face.skin.mesh;
+    TriangleMesh outer{skin.vertices, Triangles(3, skin.triangle_count())};
+    Eigen::Index count = 0;
+    for (int t = 0; t < skin.triangle_count(); ++t) {
+        const auto v = skin.triangles.col(t);
+        if (!inner(face, v[0]) && !inner(face, v[1]) && !inner(face, v[2])) {
+            outer.triangles.col(count++) = v;
+        }
+    }
+    outer.triangles.conservativeResize(3, count);
+    return outer;
+}
+
 namespace {
 
 /// Puts a fibre under the skin: its depth goes from the bone end's to the skin end's share.
@@ -136,14 +135,20 @@ PlacedFibre place_fibre(const SkinSurface& skin, const Points& warped, const Atl
     for (int k = 0; k <= kParts; ++k) {
         const double share = static_cast<double>(k) / kParts;
         // Leaves the bone quickly, then runs under the skin.
-        const double depth =
-            entry.insertion_depth +
-            (entry.origin_depth - entry.insertion_depth) * std::pow(1.0 - share, 2.0);
+        const double depth = entry.insertion_depth + (entry.origin_depth - entry.insertion_depth) *
+                                                         std::pow(1.0 - share, 2.0);
         const UnderSkin place = under_skin(skin, even.col(k), depth);
         fibre.path.col(k) = entry.deep && k + 1 < kParts ? Vec3(even.col(k)) : place.point;
         fibre.outward.col(k) = place.outward;
     }
     even_out(fibre.path);
+    // Ironed out across a crease it could come out of the skin.
+    for (int k = 1; k + 1 < kParts && !entry.deep; ++k) {
+        const UnderSkin place = under_skin(skin, fibre.path.col(k), 0.25);
+        if ((Vec3(fibre.path.col(k)) - place.point).dot(place.outward) > 0.0) {
+            fibre.path.col(k) = place.point;
+        }
+    }
     return fibre;
 }
 
@@ -283,9 +288,8 @@ void label_skin(FaceModel& face) {
                     under.push_back({static_cast<int>(m), share});
                 }
             }
-            std::stable_sort(under.begin(), under.end(), [](const auto& a, const auto& b) {
-                return a.weight > b.weight;
-            });
+            std::stable_sort(under.begin(), under.end(),
+                             [](const auto& a, const auto& b) { return a.weight > b.weight; });
             under.resize(std::min(under.size(), kMost));
             double sum = 0.0;
             for (const MuscleWeight& entry : under) {

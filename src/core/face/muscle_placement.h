@@ -9,6 +9,9 @@
 
 namespace myoface {
 
+/// The scan without mouth bag and nostrils; all vertices, fewer triangles.
+TriangleMesh outer_skin(const FaceModel& face);
+
 /// Carries the atlas onto the face: warped points are dropped onto the skin and pushed in, the bone
 /// end by the tissue's depth, the skin end a little, what lies between in proportion.
 void place_muscles(FaceModel& face, const Points& smooth_normals,

@@ -135,27 +135,30 @@ bool is_lid(Region region) {
     return region == Region::UpperLid || region == Region::LowerLid;
 }
 
-double jaw_share(const Vec3& p) {
+double jaw_share(const Vec3& p, int lip_side) {
     const double x = std::abs(p.x());
     const JawHinge hinge = generic_jaw_hinge();
     const double forward = p.z() - hinge.centre.z();
     // Angle below the hinge: the upper lip lies at 24 degrees, the chin at 45.
-    const double angle = std::atan2(hinge.centre.y() - p.y(), std::max(forward, 1.0)) * 180.0 /
-                         std::numbers::pi;
+    const double angle =
+        std::atan2(hinge.centre.y() - p.y(), std::max(forward, 1.0)) * 180.0 / std::numbers::pi;
     double share = smooth_step(16.0, 40.0, angle);
     // Lips part at once; beside them it is gradual.
     const double lips = smooth_step(34.0, 22.0, x) * smooth_step(55.0, 75.0, p.z()) *
-                        smooth_step(-92.0, -74.0, p.y());
-    share = mixed(share, 1.0 - upper_lip_share(p, 0.6), lips);
-    // Inside the mouth the lining behind the lips follows the same way.
-    share *= smooth_step(-8.0, 14.0, forward);
-    return share * smooth_step(-142.0, -102.0, p.y());
+                        smooth_step(-92.0, -74.0, p.y()) * smooth_step(-28.0, -40.0, p.y());
+    // Towards the corners both lips go half the way: the open mouth is an oval.
+    const double oval = smooth_step(HeadField::kMouthCorner - 14.0, HeadField::kMouthCorner, x);
+    share = mixed(share, mixed(1.0 - upper_lip_share(p, 0.6, lip_side), 0.5, oval), lips);
+    // Over the ramus the skin stays while the bone turns under it; below the jaw it is paid out.
+    share *= smooth_step(-8.0, 46.0, forward);
+    const double border = -72.0 - 0.42 * (p.z() - 10.0);
+    return share * smooth_step(border - 64.0, border + 4.0, p.y());
 }
 
 LidPlace lid_place(const Vec3& p) {
     const HeadField& head = average_head();
-    const double x = std::clamp(std::abs(p.x()), HeadField::kInnerCanthus,
-                                HeadField::kOuterCanthus);
+    const double x =
+        std::clamp(std::abs(p.x()), HeadField::kInnerCanthus, HeadField::kOuterCanthus);
     LidPlace place;
     place.upper = head.upper_lid(x);
     place.lower = head.lower_lid(x);
@@ -207,7 +210,7 @@ TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward) {
     tied({38.0, -84.0, 50.0}, 9.0, 2.0);
 
     if (faces_inward) {
-        const bool mouth = lips > 0.3 || (y < -36.0 && x < 34.0);
+        const bool mouth = lips > 0.3 || lids > 0.3 || (y < -36.0 && x < 34.0);
         t.tissue = mouth ? Tissue::Mucosa : Tissue::Cartilage;
         t.strain_limit = 1e9;  // thin folds stretch further; no limit is known for them
     } else if (t.region == Region::Ear) {
@@ -224,6 +227,12 @@ bool looks_inward(const Vec3& p, const Vec3& normal) {
     if (p.z() < 20.0 || p.y() < -100.0 || p.y() > 60.0) {
         return false;
     }
+    const Vec3 from_eye = Vec3(std::abs(p.x()), p.y(), p.z()) - average_head().eye_centre();
+    const Vec3 mirrored(p.x() < 0.0 ? -normal.x() : normal.x(), normal.y(), normal.z());
+    if (from_eye.norm() < HeadField::kEyeRadius + 4.0 &&
+        mirrored.dot(from_eye.normalized()) < -0.3) {
+        return true;  // the lids' lining
+    }
     const double depth = -average_head()(p);
     if (depth > 14.0) {
         return true;  // no fit is that far off
@@ -238,10 +247,11 @@ bool looks_inward(const Vec3& p, const Vec3& normal) {
     return depth > 4.0 && outward.dot(normal) < 0.0;
 }
 
-double upper_lip_share(const Vec3& p, double softness) {
+double upper_lip_share(const Vec3& p, double softness, int side) {
     const double x = std::abs(p.x());
     const double height = p.y() - average_head().lip_line(x);
-    const double upper = smooth_step(-softness, softness, height);
+    const double upper =
+        side != 0 ? (side > 0 ? 1.0 : 0.0) : smooth_step(-softness, softness, height);
     const double beside =
         smooth_step(HeadField::kMouthCorner - 5.0, HeadField::kMouthCorner + 1.0, x);
     return mixed(upper, 0.5, beside);

@@ -22,7 +22,8 @@ double smooth_step(double edge0, double edge1, double x) {
 }
 
 /// How much of a muscle's response a node takes, by anatomy: 0 … 1.
-double zone_share(const MuscleTraits& traits, const Vec3& generic, const TissueProperties& tissue) {
+double zone_share(const MuscleTraits& traits, const Vec3& generic, const TissueProperties& tissue,
+                  int lip_side) {
     if (tissue.fixed || tissue.region == Region::Ear) {
         return 0.0;
     }
@@ -33,9 +34,9 @@ double zone_share(const MuscleTraits& traits, const Vec3& generic, const TissueP
     }
     switch (traits.zone) {
         case MuscleZone::UpperLip:
-            return share * upper_lip_share(generic, kLipSoftness);
+            return share * upper_lip_share(generic, kLipSoftness, lip_side);
         case MuscleZone::LowerLip:
-            return share * (1.0 - upper_lip_share(generic, kLipSoftness));
+            return share * (1.0 - upper_lip_share(generic, kLipSoftness, lip_side));
         case MuscleZone::Brow:
             return share * smooth_step(20.0, 32.0, generic.y());
         case MuscleZone::Nose:
@@ -157,7 +158,7 @@ Demand slide_lid(const FaceModel& face, int node, const MuscleTraits& traits) {
 }
 
 Demand open_jaw(const FaceModel& face, int node) {
-    const double share = jaw_share(face.generic.col(node));
+    const double share = jaw_share(face.generic.col(node), face.lip_side[node]);
     const Vec3 p = face.skin.mesh.vertices.col(node);
     Demand demand;
     demand.shift = share * (opened(face.jaw, 1.0, p) - p);
@@ -216,14 +217,14 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
                 const Vec3 p = face.skin.mesh.vertices.col(i);
                 Demand demand;
                 if (response.whole) {
-                    demand = traits.action == MuscleAction::OpenJaw
-                                 ? open_jaw(face, i)
-                                 : slide_lid(face, i, traits);
+                    demand = traits.action == MuscleAction::OpenJaw ? open_jaw(face, i)
+                                                                    : slide_lid(face, i, traits);
                     if (face.tissue[i].fixed) {
                         demand = {};
                     }
                 } else {
-                    const double share = zone_share(traits, face.generic.col(i), face.tissue[i]);
+                    const double share =
+                        zone_share(traits, face.generic.col(i), face.tissue[i], face.lip_side[i]);
                     if (traits.action == MuscleAction::Bulge) {
                         demand = bulge(muscle, p, share);
                     } else {
@@ -265,7 +266,6 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
                         const Contractions& contractions) {
     Drive drive;
     const int n = system.model.node_count();
-    Points whole;  // what carries skin as it is, not over the bone
     for (std::size_t m = 0; m < responses.size(); ++m) {
         const double c = contractions.rate[m] * contractions.strength[m];
         if (c == 0.0) {
@@ -282,13 +282,15 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
         for (std::size_t k = 0; k < response.nodes.size(); ++k) {
             const auto column = static_cast<Eigen::Index>(k);
             const int i = response.nodes[k];
-            drive.shift.col(i) += c * response.shift.col(column);
-            drive.height[i] += c * response.height[column];
+            // Lids and jaw carry the skin with what is under it; others slide it over the bone.
             if (response.whole) {
-                if (whole.cols() == 0) {
-                    whole = Points::Zero(3, n);
+                if (drive.carry.cols() == 0) {
+                    drive.carry = Points::Zero(3, n);
                 }
-                whole.col(i) += c * response.shift.col(column);
+                drive.carry.col(i) += c * response.shift.col(column);
+            } else {
+                drive.shift.col(i) += c * response.shift.col(column);
+                drive.height[i] += c * response.height[column];
             }
             // As much hold on loose skin as on tight: the lips must follow, not only the cheek.
             const double most = 1.0 + kHold / system.bone_tie[i];
@@ -301,11 +303,10 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
             drive.stiffness_factor[s] = 1.0 + std::max(c, 0.0) * (chain.activation - 1.0);
         }
     }
-    // The bone's surface goes along: the target lies where it was carried, not on the old surface.
-    for (Eigen::Index i = 0; i < whole.cols(); ++i) {
-        const Vec3 way = whole.col(i);
-        const Tie& tie = system.model.ties[static_cast<std::size_t>(i)];
-        drive.height[i] += tie.normal.dot(way) + 0.5 * way.dot(tie.curvature * way);
+    // Muscles go along with the skin over them, their ends on the mandible with the chin.
+    const Eigen::Index skin = n - static_cast<Eigen::Index>(system.skin_over.size());
+    for (Eigen::Index i = skin; i < drive.carry.cols(); ++i) {
+        drive.carry.col(i) = drive.carry.col(system.skin_over[static_cast<std::size_t>(i - skin)]);
     }
     return drive;
 }

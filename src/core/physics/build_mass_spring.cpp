@@ -202,7 +202,7 @@ private:
             }
             double weight = 1.0 - square / (radius * radius);
             weight *= weight * face_.area[i];
-            const double upper = upper_lip_share(face_.generic.col(i), 1.5);
+            const double upper = upper_lip_share(face_.generic.col(i), 1.5, face_.lip_side[i]);
             if (zone == MuscleZone::UpperLip) {
                 weight *= upper;
             } else if (zone == MuscleZone::LowerLip) {
@@ -220,6 +220,12 @@ private:
             weight /= sum;
         }
         return found;
+    }
+
+    int nearest_skin(const Vec3& at) const {
+        Eigen::Index nearest = 0;
+        (face_.skin.mesh.vertices.colwise() - at).colwise().squaredNorm().minCoeff(&nearest);
+        return static_cast<int>(nearest);
     }
 
     void attach(int node, const Vec3& at, double radius, MuscleZone zone, double stiffness) {
@@ -254,6 +260,7 @@ private:
             const int node = next + k;
             model.rest.col(node) = muscle.path.col(k);
             model.label[node] = {Tissue::Muscle, index};
+            out_.skin_over.push_back(nearest_skin(muscle.path.col(k)));
             model.mass[node] = c_.density * kMuscleArea * muscle.length / parts;
             Tie& tie = model.ties[node];
             if (passive || (!ring && k == 0)) {

@@ -56,7 +56,9 @@ Eigen::VectorXd stiffness_row_sums(const MassSpringModel& model, const Points& p
                 const double distance = (positions.col(i) - positions.col(spring.other)).norm();
                 const double over =
                     std::max(std::abs(distance / natural - 1.0) - kStiffeningStart, 0.0);
-                k *= 1.0 + 2.0 * spring.stiffening * over;
+                // Sideways a spring far from its length is as stiff as its tension per length.
+                k = std::max(k * (1.0 + 2.0 * spring.stiffening * over),
+                             std::abs(tension_ratio(k, spring.stiffening, distance, natural)));
             }
             sum += 2.0 * k;
         }
@@ -65,7 +67,17 @@ Eigen::VectorXd stiffness_row_sums(const MassSpringModel& model, const Points& p
         }
         const Tie& tie = model.ties[i];
         const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
-        sum += std::max(tie.thickness, tie.tether * boost) + tie.anchor;
+        double thickness = tie.thickness;
+        if (thickness > 0.0) {
+            // Far from rest the bone's surface slopes against the normal.
+            const Vec3 delta = tied_way(model, positions, drive, i);
+            const Vec3 bent = tie.curvature * delta;
+            const double wanted = drive.height.size() > 0 ? drive.height[i] : 0.0;
+            const double height = tie.normal.dot(delta) + 0.5 * delta.dot(bent) - wanted;
+            thickness *=
+                (tie.normal + bent).squaredNorm() + std::abs(height) * tie.curvature.norm();
+        }
+        sum += std::max(thickness, tie.tether * boost) + tie.anchor;
         if (model.contact_of[i] >= 0) {
             sum += 2.0 * model.contacts[model.contact_of[i]].stiffness;
         }

@@ -94,7 +94,7 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
     energy += quadratic(model.linear, u);
     for (int i = 0; i < model.node_count(); ++i) {
         const Tie& tie = model.ties[i];
-        const Vec3 delta = u.col(i);
+        const Vec3 delta = tied_way(model, x, drive, i);
         const double wanted = drive.height.size() > 0 ? drive.height[i] : 0.0;
         const double height =
             tie.normal.dot(delta) + 0.5 * delta.dot(tie.curvature * delta) - wanted;
@@ -113,9 +113,9 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
         side -= side.dot(tie.normal) * tie.normal;
         const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
         energy += 0.5 * tie.tether * boost * side.squaredNorm();
-        energy -= model.mass[i] * (drive.gravity - model.rest_gravity).dot(delta);
+        energy -= model.mass[i] * (drive.gravity - model.rest_gravity).dot(u.col(i));
         if (drive.load.cols() > 0) {
-            energy -= drive.load.col(i).dot(delta);
+            energy -= drive.load.col(i).dot(u.col(i));
         }
     }
     if (state.layer.cols() > 0) {

@@ -36,6 +36,12 @@ inline double natural_length(double length, const Drive& drive, int spring) {
     return drive.length_factor.empty() ? length : length * drive.length_factor[spring];
 }
 
+/// How far a node has gone from the place that its ties hold it to.
+inline Vec3 tied_way(const MassSpringModel& model, const Points& x, const Drive& drive, int i) {
+    const Vec3 way = x.col(i) - model.rest.col(i);
+    return drive.carry.cols() > 0 ? Vec3(way - drive.carry.col(i)) : way;
+}
+
 /// Elastic force on one node: everything but dampers. `x` are positions, `layer` may be 3×0.
 inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Points& layer,
                        const Drive& drive, int i) {
@@ -53,7 +59,7 @@ inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Poin
         force -= model.linear.value[e] * (x.col(j) - model.rest.col(j));
     }
     const Tie& tie = model.ties[i];
-    const Vec3 delta = at - model.rest.col(i);
+    const Vec3 delta = tied_way(model, x, drive, i);
     if (tie.thickness > 0.0) {
         const Vec3 bent = tie.curvature * delta;
         const double wanted = drive.height.size() > 0 ? drive.height[i] : 0.0;
@@ -93,7 +99,7 @@ inline Vec3 layer_node_force(const MassSpringModel& model, const Points& x, cons
                              const Drive& drive, int i) {
     const Tie& tie = model.ties[i];
     const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
-    Vec3 side = x.col(i) - model.rest.col(i) - layer.col(i);
+    Vec3 side = tied_way(model, x, drive, i) - layer.col(i);
     if (drive.shift.cols() > 0) {
         side -= drive.shift.col(i);
     }

@@ -10,10 +10,10 @@
 namespace myoface {
 namespace {
 
-constexpr int kSides = 6;              // of a strand
-constexpr int kPerPart = 3;            // rings per part of a chain
-constexpr double kStrand = 2.1;        // [mm] wanted breadth of one strand
-constexpr double kHalfThickness = 1.0; // of a flat muscle [mm]
+constexpr int kSides = 6;               // of a strand
+constexpr int kPerPart = 3;             // rings per part of a chain
+constexpr double kStrand = 2.1;         // [mm] wanted breadth of one strand
+constexpr double kHalfThickness = 1.0;  // of a flat muscle [mm]
 
 /// Catmull-Rom through points.
 std::vector<Vec3> smooth_line(const std::vector<Vec3>& through, bool closed) {
@@ -72,10 +72,9 @@ public:
                 positions_.push_back(strand.line[at] +
                                      strand.breadth[at] * std::cos(angle) * broad +
                                      strand.thickness[at] * std::sin(angle) * thin);
-                normals_.push_back(
-                    (std::cos(angle) / std::max(strand.breadth[at], 0.05) * broad +
-                     std::sin(angle) / std::max(strand.thickness[at], 0.05) * thin)
-                        .normalized());
+                normals_.push_back((std::cos(angle) / std::max(strand.breadth[at], 0.05) * broad +
+                                    std::sin(angle) / std::max(strand.thickness[at], 0.05) * thin)
+                                       .normalized());
                 if (with_indices_) {
                     const double t = static_cast<double>(i) / (n - 1);
                     const double tendon =
@@ -248,9 +247,9 @@ std::optional<int> muscle_on_ray(const FaceModel& face, const ViewRay& ray) {
             look(muscle.path, std::max(0.5 * muscle.traits.breadth, 1.5));
         }
         for (const Points& fibre : muscle.fibres) {
-            look(fibre, std::max(0.6 * muscle.traits.breadth /
-                                     static_cast<double>(muscle.fibres.size()),
-                                 1.5));
+            look(fibre,
+                 std::max(0.6 * muscle.traits.breadth / static_cast<double>(muscle.fibres.size()),
+                          1.5));
         }
     }
     return found;

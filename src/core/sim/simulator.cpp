@@ -62,8 +62,24 @@ void Simulator::rebuild() {
 }
 
 void Simulator::refresh_drive() {
+    const Points before = std::move(drive_.carry);
     drive_ = contraction_drive(*system_, responses_, contractions_);
     drive_.gravity = kUprightGravity;
+    // What is carried starts from where it is carried to: relaxation has the rest to do only.
+    if (before.cols() > 0) {
+        state_.positions -= before;
+    }
+    if (drive_.carry.cols() > 0) {
+        state_.positions += drive_.carry;
+    }
+    for (int i = 0; i < system_->model.node_count(); ++i) {
+        if (system_->model.fixed[i] != 0) {  // back to the same bits
+            state_.positions.col(i) = system_->model.rest.col(i);
+            if (drive_.carry.cols() > 0) {
+                state_.positions.col(i) += drive_.carry.col(i);
+            }
+        }
+    }
 }
 
 void Simulator::set_contraction(int muscle, double rate) {

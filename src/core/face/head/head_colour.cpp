@@ -83,13 +83,13 @@ const Spline& brow_line() {
 double brow(const Vec3& q, double x, const HeadLook& look, bool fine) {
     const double lift = 0.9 - 1.1 * look.masculine;
     const double off = q.y() - brow_line()(x) - lift * (0.4 + 0.6 * step(16.0, 34.0, x));
-    const double half = (2.9 + 0.8 * look.masculine) * step(5.0, 13.0, x) *
-                        (1.0 - 0.62 * step(25.0, 50.0, x));
+    const double half =
+        (2.9 + 0.8 * look.masculine) * step(5.0, 13.0, x) * (1.0 - 0.62 * step(25.0, 50.0, x));
     if (half < 0.1 || q.z() < 45.0) {
         return 0.0;
     }
-    double share = step(half + 0.7, half - 1.5, std::abs(off)) * step(6.5, 12.0, x) *
-                   step(52.0, 44.0, x);
+    double share =
+        step(half + 0.7, half - 1.5, std::abs(off)) * step(6.5, 12.0, x) * step(52.0, 44.0, x);
     if (fine && share > 0.0) {
         // Hairs lean outwards: streaks along a slanted direction.
         const double slant = 0.9 - 0.6 * step(14.0, 32.0, x);
@@ -103,9 +103,7 @@ double brow(const Vec3& q, double x, const HeadLook& look, bool fine) {
 double lid_distance(const Vec3& q, double x, bool upper) {
     const HeadField& head = average_head();
     constexpr double kStep = 0.2;
-    const auto height = [&](double at) {
-        return upper ? head.upper_lid(at) : head.lower_lid(at);
-    };
+    const auto height = [&](double at) { return upper ? head.upper_lid(at) : head.lower_lid(at); };
     const double slope = (height(x + kStep) - height(x - kStep)) / (2.0 * kStep);
     const double off = (q.y() - height(x)) / std::sqrt(1.0 + slope * slope);
     return upper ? off : -off;
@@ -116,9 +114,8 @@ double lips(const Vec3& q, double x, double soft) {
                                      {-45.4, -44.8, -44.2, -45.4, -46.8, -49.2, -51.1, -52.3});
     static const Spline kLowerBorder({0, 6, 12, 17, 21, 25},
                                      {-60.2, -60, -58.6, -56.5, -54.2, -52.4});
-    return step(-soft, soft, kUpperBorder(x) - q.y()) *
-           step(-soft, soft, q.y() - kLowerBorder(x)) * step(25.5, 23.0, x) *
-           step(70, 80, q.z());
+    return step(-soft, soft, kUpperBorder(x) - q.y()) * step(-soft, soft, q.y() - kLowerBorder(x)) *
+           step(25.5, 23.0, x) * step(70, 80, q.z());
 }
 
 const Vec3 kNostrilColour(0.31, 0.14, 0.12);
@@ -152,7 +149,8 @@ Vec3 skin(const Vec3& p, const HeadLook& look, bool fine) {
     if (q.z() > 55.0) {
         const double lids = bump((q.y() - 17.0) / 9.0) * bump((x - 30.0) / 16.0);
         colour = mixed(colour, {0.71, 0.48, 0.42}, 0.32 * lids);
-        const double under = bump((q.y() - 6.0 + 0.12 * (x - 28.0)) / 4.5) * bump((x - 25.0) / 11.0);
+        const double under =
+            bump((q.y() - 6.0 + 0.12 * (x - 28.0)) / 4.5) * bump((x - 25.0) / 11.0);
         colour = mixed(colour, {0.62, 0.45, 0.44}, (0.16 + 0.2 * look.old) * under);
     }
     colour = mixed(colour, kNostrilColour, nostril_share(q));
@@ -175,8 +173,8 @@ Vec3 skin(const Vec3& p, const HeadLook& look, bool fine) {
     }
     colour = mixed(colour, lip, 0.88 * vermilion);
     if (x < 26.0 && q.z() > 70.0) {  // where the lips meet it is dark
-        const double slit = bump((q.y() - average_head().lip_line(x)) / (fine ? 0.55 : 0.7)) *
-                            step(25.6, 22.5, x);
+        const double slit =
+            bump((q.y() - average_head().lip_line(x)) / (fine ? 0.55 : 0.7)) * step(25.6, 22.5, x);
         colour = mixed(colour, {0.36, 0.15, 0.14}, 0.75 * slit);
     }
     if (fine) {
@@ -198,7 +196,8 @@ Vec3 skin(const Vec3& p, const HeadLook& look, bool fine) {
         const double upper = std::abs(lid_distance(q, x, true));
         const double lower = std::abs(lid_distance(q, x, false));
         const double lash = std::max(step(width + 0.5, width * 0.3, upper),
-                                     0.45 * step(width, width * 0.2, lower)) * out;
+                                     0.45 * step(width, width * 0.2, lower)) *
+                            out;
         colour = mixed(colour, {0.16, 0.11, 0.09}, (0.72 - 0.2 * look.masculine) * lash);
     }
     return mixed(colour, mixed({0.30, 0.235, 0.20}, {0.56, 0.54, 0.52}, grey),
@@ -229,8 +228,8 @@ Vec3 head_colour(HeadPart part, const Vec3& p, const HeadLook& look, bool fine) 
         case HeadPart::Gum:
             return {0.68, 0.36, 0.35};
         case HeadPart::Eye: {
-            const Vec3 centre = average_head().eye_centre().cwiseProduct(
-                Vec3(p.x() > 0.0 ? 1.0 : -1.0, 1.0, 1.0));
+            const Vec3 centre =
+                average_head().eye_centre().cwiseProduct(Vec3(p.x() > 0.0 ? 1.0 : -1.0, 1.0, 1.0));
             return eye_colour(p - centre, fine);
         }
     }

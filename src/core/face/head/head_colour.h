@@ -15,8 +15,8 @@ struct HeadLook {
     std::uint32_t seed = 0;  ///< of spots and tone
 };
 
-/// How far inside a nostril a place of the surface is, in the space of HeadField's curves: 0 outside
-/// … nearly 1, where hardly any light comes.
+/// How far inside a nostril a place of the surface is, in the space of HeadField's curves: 0
+/// outside … nearly 1, where hardly any light comes.
 double nostril_share(const Vec3& q);
 
 /// Colour in sRGB at a place of the average head. With `fine`, hairs, pores and lashes too, which a

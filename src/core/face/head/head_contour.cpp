@@ -26,8 +26,8 @@ Vec3 contour_shift(std::span<const ContourHandle> handles, const Vec3& p) {
         sum += pull(handle, handle.at, p) * handle.move;
         if (handle.at.x() > 0.0) {
             const Vec3 mirror(-1.0, 1.0, 1.0);
-            sum += pull(handle, handle.at.cwiseProduct(mirror), p) *
-                   handle.move.cwiseProduct(mirror);
+            sum +=
+                pull(handle, handle.at.cwiseProduct(mirror), p) * handle.move.cwiseProduct(mirror);
         }
     }
     return sum;
@@ -35,20 +35,20 @@ Vec3 contour_shift(std::span<const ContourHandle> handles, const Vec3& p) {
 
 std::span<const ContourHandle> average_contour() {
     static const std::array<ContourHandle, 14> kHandles{{
-        {{0, -37, 99}, 25, {0, 0, 5.5}},       // upper lip over the front teeth
-        {{0, -42, 100}, 17, {0, 0, 2.4}},    // above the red of the lip
-        {{32, -43, 84}, 32, {0, 0, 5}},      // beside the mouth
-        {{32, -8, 82}, 34, {0, 0, 3.2}},     // cheek below the eye
-        {{42, -63, 68}, 34, {1, 0, 6}},      // body of the mandible
-        {{36, 29, 82}, 26, {0, 0, 4}},       // between brow and lid
-        {{58, 34, 58}, 36, {3, 0, 4}},       // behind the rim of the orbit
-        {{62, -25, -40}, 42, {-5, 0, 0}},    // behind and below the ear
-        {{0, -38, -68}, 44, {0, 0, -4}},     // nape
-        {{60, -66, 2}, 46, {-4, 0, 0}},  // neck below the angle of the jaw
-        {{26, 60, 97}, 44, {0, 0, -2}},      // forehead
-        {{60, -28, 26}, 42, {6, 0, 1}},      // masseter
-        {{66, 38, 24}, 50, {6, 0, 2}},       // temple, between orbit and ear
-        {{38, -20, 78}, 30, {0, 0, 1.5}},    // cheek
+        {{0, -37, 99}, 25, {0, 0, 5.5}},   // upper lip over the front teeth
+        {{0, -42, 100}, 17, {0, 0, 2.4}},  // above the red of the lip
+        {{32, -43, 84}, 32, {0, 0, 5}},    // beside the mouth
+        {{32, -8, 82}, 34, {0, 0, 3.2}},   // cheek below the eye
+        {{42, -63, 68}, 34, {1, 0, 6}},    // body of the mandible
+        {{36, 29, 82}, 26, {0, 0, 4}},     // between brow and lid
+        {{58, 34, 58}, 36, {3, 0, 4}},     // behind the rim of the orbit
+        {{62, -25, -40}, 42, {-5, 0, 0}},  // behind and below the ear
+        {{0, -38, -68}, 44, {0, 0, -4}},   // nape
+        {{60, -66, 2}, 46, {-4, 0, 0}},    // neck below the angle of the jaw
+        {{26, 60, 97}, 44, {0, 0, -2}},    // forehead
+        {{60, -28, 26}, 42, {6, 0, 1}},    // masseter
+        {{66, 38, 24}, 50, {6, 0, 2}},     // temple, between orbit and ear
+        {{38, -20, 78}, 30, {0, 0, 1.5}},  // cheek
     }};
     return kHandles;
 }

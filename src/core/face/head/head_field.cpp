@@ -307,7 +307,8 @@ double HeadField::smooth_face(const Vec3& p) const {
     const Vec3 q = in_primitives(p);
     double d = bony_face(q);
     // The bridge of the nose is bone; its lower half is not.
-    const double ridge = smooth_max(nose_ridge(q) + 0.35 * std::max(0.0, 12.0 - q.y()), 5.0 - q.y(), 8.0);
+    const double ridge =
+        smooth_max(nose_ridge(q) + 0.35 * std::max(0.0, 12.0 - q.y()), 5.0 - q.y(), 8.0);
     return smooth_min(d, ridge, 7.0);
 }
 

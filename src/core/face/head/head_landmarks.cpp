@@ -31,8 +31,8 @@ Vec3 extreme(const std::vector<Vec3>& points, const Vec3& direction) {
 /// The point furthest behind the straight line between the two ends.
 Vec3 deepest(const std::vector<Vec3>& points) {
     const Vec3 along = points.back() - points.front();
-    return extreme(points, Vec3(0.0, along.z(), -along.y()).normalized() *
-                               (along.y() > 0.0 ? 1.0 : -1.0));
+    return extreme(points,
+                   Vec3(0.0, along.z(), -along.y()).normalized() * (along.y() > 0.0 ? 1.0 : -1.0));
 }
 
 }  // namespace
@@ -76,10 +76,10 @@ Landmarks place_landmarks(const HeadField& head) {
             Vec3(0, -80, 78) + 18.0 * Vec3(0, -std::sin(angle), std::cos(angle)), true));
     }
     put("gn", extreme(under, Vec3(0, -0.85, 0.53)));
-    pair("en", head.front_point_at(HeadField::kInnerCanthus,
-                                   head.upper_lid(HeadField::kInnerCanthus)));
-    pair("ex", head.front_point_at(HeadField::kOuterCanthus,
-                                   head.upper_lid(HeadField::kOuterCanthus)));
+    pair("en",
+         head.front_point_at(HeadField::kInnerCanthus, head.upper_lid(HeadField::kInnerCanthus)));
+    pair("ex",
+         head.front_point_at(HeadField::kOuterCanthus, head.upper_lid(HeadField::kOuterCanthus)));
     Vec3 wing = head.onto_surface({20, -21, 98});
     for (double y = -26; y < -18; y += 0.5) {
         for (double z = 97.5; z < 106; z += 0.5) {
@@ -90,8 +90,8 @@ Landmarks place_landmarks(const HeadField& head) {
     pair("al", wing);
     pair("ac", head.onto_surface({17, -23, 91.5}));
     pair("sbal", head.front_point(9.2, -30.5));
-    pair("ch", head.front_point_at(HeadField::kMouthCorner,
-                                   head.lip_line(HeadField::kMouthCorner)));
+    pair("ch",
+         head.front_point_at(HeadField::kMouthCorner, head.lip_line(HeadField::kMouthCorner)));
     pair("cph", head.front_point_at(6.2, -44.2));
     pair("zy", head.onto_surface({70, -4, 22}));
     // Gonion: the caliper lies under the angle of the jaw, where the head has narrowed to it.

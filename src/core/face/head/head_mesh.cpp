@@ -55,8 +55,7 @@ struct Template {
     CutHead rough;
 
     Template() : curves(average_head()) {
-        const Eigen::AlignedBox3d box(Vec3(0, HeadField::kNeckCut - 6.0, -112),
-                                      Vec3(96, 140, 128));
+        const Eigen::AlignedBox3d box(Vec3(0, HeadField::kNeckCut - 6.0, -112), Vec3(96, 140, 128));
         const TriangleMesh raw =
             isosurface([](const Vec3& p) { return average_head()(p); }, box, 2.5);
         rough = cut_openings(raw, average_head(), curves);

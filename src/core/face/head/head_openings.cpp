@@ -115,8 +115,7 @@ CutHead cut_eye(const TriangleMesh& closed, const HeadField& head, const Opening
             outer = p.x() > open.mesh.vertices(0, outer) ? v : outer;
         }
         for (const int v : loop) {
-            open.mesh.vertices.col(v) =
-                curves.nearest(open.mesh.vertices.col(v), open.lines[v]);
+            open.mesh.vertices.col(v) = curves.nearest(open.mesh.vertices.col(v), open.lines[v]);
         }
         open.mesh.vertices.col(inner) = curves.inner_canthus();
         open.mesh.vertices.col(outer) = curves.outer_canthus();
@@ -129,8 +128,7 @@ CutHead cut_eye(const TriangleMesh& closed, const HeadField& head, const Opening
 std::vector<int> lip_chain(const SplitMesh& split, const std::vector<bool>& mouth) {
     std::map<int, std::vector<int>> along;
     const auto on_line = [&](int v) {
-        return split.values[v] == 0.0 &&
-               (static_cast<std::size_t>(v) >= mouth.size() || mouth[v]);
+        return split.values[v] == 0.0 && (static_cast<std::size_t>(v) >= mouth.size() || mouth[v]);
     };
     const Adjacency adjacency(split.mesh);
     for (const MeshEdge& edge : adjacency.edges()) {
@@ -167,8 +165,7 @@ CutHead cut_mouth(const CutHead& closed, const HeadField& head, const OpeningCur
     std::vector<bool> mouth(static_cast<std::size_t>(closed.mesh.vertex_count()));
     for (int v = 0; v < closed.mesh.vertex_count(); ++v) {
         const Vec3 q = head.in_primitives(closed.mesh.vertices.col(v));
-        mouth[v] =
-            q.z() > 70.0 && q.x() < HeadField::kMouthCorner && std::abs(q.y() + 52.0) < 8.0;
+        mouth[v] = q.z() > 70.0 && q.x() < HeadField::kMouthCorner && std::abs(q.y() + 52.0) < 8.0;
     }
     const SplitMesh split = split_on_line(closed.mesh, head, line, mouth);
     const std::vector<int> chain = lip_chain(split, mouth);
@@ -243,7 +240,9 @@ std::vector<int> border_run(const CutHead& half, int one, int other) {
         }
         // The lips are a stretch of the midline's loop: from pinned to pinned vertex.
         const auto n = static_cast<std::ptrdiff_t>(loop.size());
-        const auto at = [&](std::ptrdiff_t i) { return loop[static_cast<std::size_t>((i + n) % n)]; };
+        const auto at = [&](std::ptrdiff_t i) {
+            return loop[static_cast<std::size_t>((i + n) % n)];
+        };
         std::ptrdiff_t first = 0;
         while (!(wanted(at(first)) && half.lines[at(first - 1)] == kPinnedVertex &&
                  half.mesh.vertices(0, at(first - 1)) == 0.0)) {
@@ -361,10 +360,9 @@ int add_mouth_bag(MeshBuilder& builder, const CutHead& half) {
     const std::vector<int> run = border_run(half, kUpperLip, kLowerLip);
     const int first_new = static_cast<int>(builder.vertices.size());
     const auto corner = static_cast<std::size_t>(
-        std::max_element(run.begin(), run.end(),
-                         [&](int a, int b) {
-                             return builder.vertices[a].x() < builder.vertices[b].x();
-                         }) -
+        std::max_element(
+            run.begin(), run.end(),
+            [&](int a, int b) { return builder.vertices[a].x() < builder.vertices[b].x(); }) -
         run.begin());
     const bool upper_first = half.lines[run[1]] == kUpperLip;
     const double width = builder.vertices[run[corner]].x();
@@ -392,8 +390,10 @@ int add_mouth_bag(MeshBuilder& builder, const CutHead& half) {
             const double high = row.height * std::pow(std::max(1.0 - u * u, 0.0), roundness);
             const bool upper = i == corner ? false : (i < corner) == upper_first;
             const double sign = i == corner ? 0.0 : upper ? 1.0 : -1.0;
-            current.push_back(builder.add({u * (width + row.wider), p.y() + sign * (upper || row.depth > 15.0 ? 1.0 : 0.6) * high,
-                                           p.z() - row.depth * (1.0 + 0.25 * u * u)}));
+            current.push_back(
+                builder.add({u * (width + row.wider),
+                             p.y() + sign * (upper || row.depth > 15.0 ? 1.0 : 0.6) * high,
+                             p.z() - row.depth * (1.0 + 0.25 * u * u)}));
         }
         for (std::size_t i = 0; i + 1 < run.size(); ++i) {
             builder.add_quad(previous[i], previous[i + 1], current[i + 1], current[i]);

@@ -82,8 +82,8 @@ void add_eyeball(MeshBuilder& builder, const Vec3& centre, int around) {
         double radius = HeadField::kEyeRadius;
         if (angle < 0.8) {
             const double s = kForward * std::sin(angle);
-            radius = std::max(radius,
-                              kForward * std::cos(angle) + std::sqrt(kCornea * kCornea - s * s));
+            radius =
+                std::max(radius, kForward * std::cos(angle) + std::sqrt(kCornea * kCornea - s * s));
         }
         return centre + radius * Vec3(std::sin(angle) * std::cos(turn),
                                       std::sin(angle) * std::sin(turn), std::cos(angle));
@@ -96,8 +96,7 @@ void add_caruncle(MeshBuilder& builder, const Vec3& inner_canthus, const Vec3& e
     const Vec3 centre = inner_canthus + Vec3(1.9, -0.3, -2.6) + 2.4 * in;
     add_ball(builder, even_angles(5), std::max(around / 2, 8), [&](double angle, double turn) {
         return Vec3(centre + Vec3(2.7 * std::sin(angle) * std::cos(turn),
-                                  1.6 * std::sin(angle) * std::sin(turn),
-                                  1.5 * std::cos(angle)));
+                                  1.6 * std::sin(angle) * std::sin(turn), 1.5 * std::cos(angle)));
     });
 }
 
@@ -127,15 +126,15 @@ void add_teeth(MeshBuilder& builder, const Vec3& mid_lips, bool upper, int aroun
     for (const Tooth& tooth : upper ? kUpper : kLower) {
         const double middle = done + 0.5 * tooth.breadth;
         for (double walked = 0.0; walked < 0.5 * tooth.breadth; walked += 0.05) {
-            const double speed = std::hypot(arch.half_width * std::cos(angle),
-                                            arch.depth * std::sin(angle));
+            const double speed =
+                std::hypot(arch.half_width * std::cos(angle), arch.depth * std::sin(angle));
             angle += 0.05 / speed;
         }
         const Vec3 side = arch.along(angle);
         const Vec3 out(-side.z(), 0.0, side.x());
         const double up = upper ? 1.0 : -1.0;
-        const Vec3 centre = arch.at(angle, edge + up * 0.5 * tooth.height) -
-                            0.5 * tooth.thick * out;
+        const Vec3 centre =
+            arch.at(angle, edge + up * 0.5 * tooth.height) - 0.5 * tooth.thick * out;
         add_ball(builder, even_angles(around >= 12 ? 7 : 4), around,
                  [&](double polar, double turn) -> Vec3 {
                      const double c = rounded(std::cos(polar), 0.55);
@@ -150,8 +149,8 @@ void add_teeth(MeshBuilder& builder, const Vec3& mid_lips, bool upper, int aroun
                             thick * s * rounded(std::sin(turn), 0.7) * out;
                  });
         for (double walked = 0.0; walked < 0.5 * tooth.breadth; walked += 0.05) {
-            const double speed = std::hypot(arch.half_width * std::cos(angle),
-                                            arch.depth * std::sin(angle));
+            const double speed =
+                std::hypot(arch.half_width * std::cos(angle), arch.depth * std::sin(angle));
             angle += 0.05 / speed;
         }
         done = middle + 0.5 * tooth.breadth;
@@ -192,9 +191,9 @@ void add_gum(MeshBuilder& builder, const Vec3& mid_lips, bool upper, int around)
         }
         previous = std::move(ring);
     }
-    const int end = builder.add(arch.at(kLast + 0.06, root) -
-                                (4.0 + 1.2 * kLast) * Vec3(-arch.along(kLast).z(), 0.0,
-                                                           arch.along(kLast).x()));
+    const int end =
+        builder.add(arch.at(kLast + 0.06, root) -
+                    (4.0 + 1.2 * kLast) * Vec3(-arch.along(kLast).z(), 0.0, arch.along(kLast).x()));
     for (int k = 0; k < around; ++k) {
         const int next = (k + 1) % around;
         if (upper) {

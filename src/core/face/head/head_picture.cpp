@@ -120,8 +120,8 @@ void draw_triangle(std::vector<Texel>& texels, int size, int t,
             if (a < -tolerance || b < -tolerance || a + b > 1.0 + tolerance) {
                 continue;
             }
-            const auto out = static_cast<float>(a * outward[0] + b * outward[1] +
-                                                (1.0 - a - b) * outward[2]);
+            const auto out =
+                static_cast<float>(a * outward[0] + b * outward[1] + (1.0 - a - b) * outward[2]);
             Texel& texel = texels[static_cast<std::size_t>(row) * size + column];
             if (texel.triangle < 0 || out > texel.outward) {
                 texel = {t, out, static_cast<float>(a), static_cast<float>(b)};
@@ -161,7 +161,8 @@ Image paint(const HeadMesh& head, const std::vector<double>& nostril, const Head
             draw_triangle(texels, size, t, uv, outward);
         }
     }
-    const Vec3 rim = head_colour(HeadPart::Skin, average_head().front_point(0.0, -24.0), look, false);
+    const Vec3 rim =
+        head_colour(HeadPart::Skin, average_head().front_point(0.0, -24.0), look, false);
     const Vec3 dark(0.31, 0.14, 0.12);
     Image image{size, size, std::vector<std::uint8_t>(texels.size() * 4, 255)};
     parallel_for(size, 8, [&](int begin, int end) {
@@ -171,10 +172,10 @@ Image paint(const HeadMesh& head, const std::vector<double>& nostril, const Head
                 const Texel& texel = texels[static_cast<std::size_t>(row) * size + column];
                 Vec3 colour(0.45, 0.36, 0.31);
                 if (texel.triangle >= 0) {
-                    const Vec3 p = texel.weight_a * mesh.corner(texel.triangle, 0) +
-                                   texel.weight_b * mesh.corner(texel.triangle, 1) +
-                                   (1.0F - texel.weight_a - texel.weight_b) *
-                                       mesh.corner(texel.triangle, 2);
+                    const Vec3 p =
+                        texel.weight_a * mesh.corner(texel.triangle, 0) +
+                        texel.weight_b * mesh.corner(texel.triangle, 1) +
+                        (1.0F - texel.weight_a - texel.weight_b) * mesh.corner(texel.triangle, 2);
                     colour = head_colour(HeadPart::Skin, p, look, true);
                 }
                 for (const bool left : {true, false}) {
@@ -184,9 +185,9 @@ Image paint(const HeadMesh& head, const std::vector<double>& nostril, const Head
                         const double flat = std::max(off.norm(), 1e-9);
                         const Vec3 d(std::sin(angle) * off.x() / flat,
                                      std::sin(angle) * off.y() / flat, std::cos(angle));
-                        colour = head_colour(HeadPart::Eye,
-                                             eye_centre(left) + HeadField::kEyeRadius * d, look,
-                                             true);
+                        colour =
+                            head_colour(HeadPart::Eye, eye_centre(left) + HeadField::kEyeRadius * d,
+                                        look, true);
                     }
                 }
                 for (int patch = 0; patch < kPatches; ++patch) {
@@ -196,8 +197,8 @@ Image paint(const HeadMesh& head, const std::vector<double>& nostril, const Head
                     }
                 }
                 if (at.x() > kStripLeft - 0.01 && at.y() < kStripHeight) {
-                    const double share = std::clamp(
-                        (at.x() - kStripLeft) / (kStripRight - kStripLeft), 0.0, 1.0);
+                    const double share =
+                        std::clamp((at.x() - kStripLeft) / (kStripRight - kStripLeft), 0.0, 1.0);
                     colour = rim + share * (dark - rim);
                 }
                 set_pixel(image, column, row, colour);
@@ -244,8 +245,7 @@ void add_picture(Scan& scan, const HeadMesh& head, const HeadLook& look, int siz
                     on_strip[v] = static_cast<int>(used);
                     const double along =
                         kStripLeft + nostril[v] / 0.95 * (kStripRight - kStripLeft);
-                    scan.uv.col(used++) =
-                        Eigen::Vector2d(along, 0.5 * kStripHeight).cast<float>();
+                    scan.uv.col(used++) = Eigen::Vector2d(along, 0.5 * kStripHeight).cast<float>();
                 }
                 uv = on_strip[v];
             }

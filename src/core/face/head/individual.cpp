@@ -88,10 +88,9 @@ WantedMeasures wanted_measures(std::optional<Sex> sex, double age, double old,
         off["sto-li"] = sd["sto-li"] * draw();
         off["li-sl"] = sd["li-sl"] * draw();
         // n-gn is the sum of its stretches and the chin.
-        const double chin = remaining_sd(
-            sd["n-gn"], {sd["n-sn"], sd["sn-sto"], sd["sto-li"], sd["li-sl"]});
-        off["n-gn"] =
-            off["n-sn"] + off["sn-sto"] + off["sto-li"] + off["li-sl"] + chin * draw();
+        const double chin =
+            remaining_sd(sd["n-gn"], {sd["n-sn"], sd["sn-sto"], sd["sto-li"], sd["li-sl"]});
+        off["n-gn"] = off["n-sn"] + off["sn-sto"] + off["sto-li"] + off["li-sl"] + chin * draw();
         // The bridge follows the nose's height, the wing its protrusion.
         constexpr double kBridge = 0.8;
         off["n-prn"] = sd["n-prn"] * (kBridge * off["n-sn"] / sd["n-sn"] +
@@ -168,12 +167,12 @@ struct Layout {
 
 /// Landmarks that lie close together move alike.
 constexpr std::array<std::pair<const char*, const char*>, 29> kNeighbours{{
-    {"g", "n"},       {"n", "se"},      {"se", "prn"},   {"prn", "c"},     {"c", "sn"},
-    {"sn", "ls"},     {"ls", "sto"},    {"sto", "li"},   {"li", "sl"},     {"sl", "pg"},
-    {"pg", "gn"},     {"en_l", "ex_l"}, {"se", "en_l"},  {"al_l", "ac_l"}, {"al_l", "prn"},
-    {"ac_l", "sn"},   {"sbal_l", "sn"}, {"ch_l", "sto"}, {"cph_l", "ls"},  {"zy_l", "t_l"},
-    {"go_l", "gn"},   {"go_l", "t_l"},  {"tr", "g"},     {"ft_l", "g"},    {"zy_l", "ex_l"},
-    {"sbal_l", "ac_l"}, {"ch_l", "li"}, {"ft_l", "ex_l"}, {"cph_l", "sbal_l"},
+    {"g", "n"},         {"n", "se"},      {"se", "prn"},    {"prn", "c"},        {"c", "sn"},
+    {"sn", "ls"},       {"ls", "sto"},    {"sto", "li"},    {"li", "sl"},        {"sl", "pg"},
+    {"pg", "gn"},       {"en_l", "ex_l"}, {"se", "en_l"},   {"al_l", "ac_l"},    {"al_l", "prn"},
+    {"ac_l", "sn"},     {"sbal_l", "sn"}, {"ch_l", "sto"},  {"cph_l", "ls"},     {"zy_l", "t_l"},
+    {"go_l", "gn"},     {"go_l", "t_l"},  {"tr", "g"},      {"ft_l", "g"},       {"zy_l", "ex_l"},
+    {"sbal_l", "ac_l"}, {"ch_l", "li"},   {"ft_l", "ex_l"}, {"cph_l", "sbal_l"},
 }};
 
 }  // namespace
@@ -188,9 +187,9 @@ Landmarks with_measures(const Landmarks& from, const WantedMeasures& wanted) {
             goals.emplace_back(norm.measure, found->second);
         }
     }
-    constexpr double kGoal = 0.05;      // [mm], [deg]: met this well
-    constexpr double kWay = 9.0;        // [mm]: a landmark may go
-    constexpr double kDifference = 3.0; // [mm]: between neighbours
+    constexpr double kGoal = 0.05;       // [mm], [deg]: met this well
+    constexpr double kWay = 9.0;         // [mm]: a landmark may go
+    constexpr double kDifference = 3.0;  // [mm]: between neighbours
     Landmarks moved = from;
     const auto residuals = [&](const Eigen::VectorXd& x) {
         layout.unpack(x, moved);

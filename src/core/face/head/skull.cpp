@@ -13,9 +13,11 @@
 #include "myoface/base/resources.h"
 #include "myoface/face/smooth_warp.h"
 #include "myoface/io/text_file.h"
+#include "myoface/mesh/bvh.h"
 #include "myoface/mesh/isosurface.h"
 #include "myoface/mesh/remesh.h"
 
+#include "head_colour.h"
 #include "head_mesh.h"
 #include "head_parts.h"
 #include "mesh_builder.h"
@@ -30,13 +32,17 @@ class SkullField {
 public:
     SkullField() {
         const DepthSites& sites = depth_sites();
-        const Eigen::Index n = sites.depths.size();
+        const Eigen::Index n = std::count(sites.bony.begin(), sites.bony.end(), 1);
         Points bone(3, n);
         Points offset = Points::Zero(3, n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            bone.col(i) = sites.places.col(i) - sites.depths[i] * sites.normals.col(i);
-            // Whatever the smooth face lacks here (lips, nose), the bone lies where the table says.
-            offset(0, i) = -average_head().smooth_face(bone.col(i));
+        Eigen::Index k = 0;
+        for (Eigen::Index i = 0; i < sites.depths.size(); ++i) {
+            if (sites.bony[static_cast<std::size_t>(i)] != 0) {
+                bone.col(k) = sites.places.col(i) - sites.depths[i] * sites.normals.col(i);
+                // Whatever the smooth face lacks here (lips, nose), bone lies where the table says.
+                offset(0, k) = -average_head().smooth_face(bone.col(k));
+                ++k;
+            }
         }
         depth_ = SmoothWarp(bone, offset, Eigen::VectorXd::Zero(n), 0.0);
     }
@@ -55,29 +61,28 @@ public:
         d = subtract(d, ellipsoid(p, {57, -34, 22}, {23, 32, 23}), 8.0);
         d = subtract(d, ellipsoid(q, {0, -62, 14}, {40, 38, 36}), 8.0);
         // Base: under the upper jaw, behind it, and the occiput.
-        const double base = q.z() > 40.0 ? -46.0 : -46.0 + 24.5 * smooth_step(40.0, 20.0, q.z()) -
-                                                       14.0 * smooth_step(2.0, -22.0, q.z()) +
-                                                       6.0 * smooth_step(-30.0, -60.0, q.z());
+        const double base = q.z() > 40.0 ? -46.0
+                                         : -46.0 + 24.5 * smooth_step(40.0, 20.0, q.z()) -
+                                               14.0 * smooth_step(2.0, -22.0, q.z()) +
+                                               6.0 * smooth_step(-30.0, -60.0, q.z());
         d = smooth_max(d, base - q.y(), 5.0);
         d = smooth_min(d, ellipsoid(p, {53, -22, -14}, {8, 18, 11}), 8.0);  // mastoid
-        const double arch = std::min(
-            {capsule(p, {47, -6, 56}, {55, -5.5, 40}, 5.0, 3.6),
-             capsule(p, {55, -5.5, 40}, {57.5, -3.5, 18}, 3.6, 3.2),
-             capsule(p, {57.5, -3.5, 18}, {55, 1, -6}, 3.2, 4.0)});
+        const double arch = std::min({capsule(p, {47, -6, 56}, {55, -5.5, 40}, 5.0, 3.6),
+                                      capsule(p, {55, -5.5, 40}, {57.5, -3.5, 18}, 3.6, 3.2),
+                                      capsule(p, {57.5, -3.5, 18}, {55, 1, -6}, 3.2, 4.0)});
         d = smooth_min(d, arch, 2.5);
         // Orbits: cones that open outwards and forward.
         const Vec3 in_orbit = turned(p - Vec3(32.5, 17.0, 68.0), -20.0);
         const double narrow = 1.0 - 0.45 * smooth_step(12.0, -30.0, in_orbit.z());
-        d = subtract(d,
-                     (rounded_box(in_orbit, Vec3(19.5 * narrow, 17.0 * narrow, 34.0), 13.5)),
+        d = subtract(d, (rounded_box(in_orbit, Vec3(19.5 * narrow, 17.0 * narrow, 34.0), 13.5)),
                      3.0);
         // Piriform aperture, narrow above; the nasal bones roof it.
         const double wide = 12.0 - 7.5 * smooth_step(-22.0, 4.0, q.y());
         const double aperture =
             rounded_box(q - Vec3(0.0, -13.0, 88.0), Vec3(wide, 17.0, 34.0), 0.9 * wide);
         d = subtract(d, aperture, 1.5);
-        const double septum = std::max({std::abs(q.x()) - 0.9, outer + 6.0, 52.0 - q.z(),
-                                        q.y() - 6.0, -32.0 - q.y()});
+        const double septum = std::max(
+            {std::abs(q.x()) - 0.9, outer + 6.0, 52.0 - q.z(), q.y() - 6.0, -32.0 - q.y()});
         d = smooth_min(d, septum, 1.5);
         return d;
     }
@@ -216,6 +221,26 @@ Vec3 slope_of(const Vec3& p) {
     return slope;
 }
 
+/// The average head's skin without linings and nostrils.
+TriangleMesh outer_head() {
+    constexpr int kVertices = 10000;
+    const HeadMesh head = average_head_mesh(kVertices, nullptr);
+    const auto hidden = [&](int v) {
+        return head.part[static_cast<std::size_t>(v)] != HeadPart::Skin ||
+               nostril_share(average_head().in_primitives(head.mesh.vertices.col(v))) > 0.2;
+    };
+    TriangleMesh skin{head.mesh.vertices, Triangles(3, head.mesh.triangle_count())};
+    Eigen::Index count = 0;
+    for (int t = 0; t < head.mesh.triangle_count(); ++t) {
+        const Eigen::Vector3i v = head.mesh.triangles.col(t);
+        if (!hidden(v[0]) && !hidden(v[1]) && !hidden(v[2])) {
+            skin.triangles.col(count++) = v;
+        }
+    }
+    skin.triangles.conservativeResize(3, count);
+    return skin;
+}
+
 Skull build() {
     const SkullField field;
     Skull skull;
@@ -231,17 +256,12 @@ Skull build() {
     append_teeth(whole, skull.part, true);
     append_teeth(whole, skull.part, false);
     skull.mesh = whole.mesh();
+    const TriangleMesh skin = outer_head();
+    const Bvh bvh(skin);
     skull.skin.resize(3, skull.mesh.vertex_count());
     parallel_for(skull.mesh.vertex_count(), 128, [&](int begin, int end) {
         for (int v = begin; v < end; ++v) {
-            Vec3 at = skull.mesh.vertices.col(v);
-            for (int step = 0; step < 4; ++step) {
-                const Vec3 slope = slope_of(at);
-                const double square = std::max(slope.squaredNorm(), 0.1);
-                // Central differences over 1 mm: the slope is its own scale.
-                at -= average_head().smooth_face(at) / square * slope;
-            }
-            skull.skin.col(v) = at;
+            skull.skin.col(v) = bvh.closest_point(skin, skull.mesh.vertices.col(v)).point;
         }
     });
     return skull;
@@ -260,7 +280,7 @@ DepthSites read_sites() {
         for (std::string cell; std::getline(row, cell, ',');) {
             cells.push_back(cell);
         }
-        if (cells.size() < 6) {
+        if (cells.size() < 7) {
             continue;
         }
         std::array<double, 4> v{};
@@ -272,7 +292,12 @@ DepthSites read_sites() {
         }
         const bool paired = cells[1] == "yes";
         // The table's places are near the skin; the sites lie on it.
-        const Vec3 on_skin = average_head().onto_surface({v[0], v[1], v[2]}, !paired);
+        Vec3 on_skin(v[0], v[1], v[2]);
+        for (int step = 0; step < 4; ++step) {
+            on_skin = average_head().onto_surface(on_skin, !paired);
+        }
+        const char bony = cells[6].rfind("cartilage", 0) == 0 ? 0 : 1;
+        sites.bony.insert(sites.bony.end(), paired ? 2 : 1, bony);
         sites.names.push_back(paired ? cells[0] + " (left)" : cells[0]);
         places.push_back(on_skin);
         depths.push_back(v[3]);

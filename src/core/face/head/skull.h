@@ -14,7 +14,7 @@ namespace myoface {
 struct Skull {
     TriangleMesh mesh;           ///< [mm], the generic head's frame
     std::vector<BonePart> part;  ///< per vertex
-    /// Per vertex: nearest place on the smooth face above it, which it follows on a scan.
+    /// Per vertex: a place on the skin above it, which it follows on a scan.
     Points skin;
 };
 
@@ -28,6 +28,7 @@ struct DepthSites {
     Points places;           ///< 3×N, pairs twice
     Points normals;          ///< 3×N
     Eigen::VectorXd depths;  ///< [mm]
+    std::vector<char> bony;  ///< 0 where the depth is that of cartilage
 };
 const DepthSites& depth_sites();
 
