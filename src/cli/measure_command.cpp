@@ -121,8 +121,7 @@ void measure(const Arguments& a) {
     for (const Norm& norm : norms(sex, a.age)) {
         const std::optional<double> value = measured(norm.measure, here);
         if (value) {
-            rows.push_back({norm, *value,
-                            there ? measured(norm.measure, *there) : std::nullopt});
+            rows.push_back({norm, *value, there ? measured(norm.measure, *there) : std::nullopt});
         }
     }
     const bool csv = std::filesystem::path(a.output).extension() == ".csv";

@@ -17,9 +17,10 @@
 namespace myoface {
 namespace {
 
-constexpr double kFarthest = 14.0;  // [mm] the warp may miss the scan by
-constexpr int kRounds = 60;         // of smoothing
-constexpr double kHold = 0.25;      // on a vertex' own shift while smoothing
+constexpr double kFarthest = 14.0;       // [mm] the warp may miss the scan by in the face …
+constexpr double kFarthestCrown = 40.0;  // … and over the skull, where there are no landmarks
+constexpr int kRounds = 60;              // of smoothing
+constexpr double kHold = 0.25;           // on a vertex' own shift while smoothing
 
 /// Shift of each skull vertex that its skin makes on the scan; weight 0 where there is no scan.
 struct Shifts {
@@ -27,7 +28,7 @@ struct Shifts {
     std::vector<double> weight;
 };
 
-Shifts follow_skin(const FaceModel& face, const Points& skin) {
+Shifts follow_skin(const FaceModel& face, const Skull& skull, const Points& skin) {
     const TriangleMesh surface = outer_skin(face);
     const Bvh bvh(surface);
     Shifts shifts{Points::Zero(3, skin.cols()),
@@ -35,9 +36,11 @@ Shifts follow_skin(const FaceModel& face, const Points& skin) {
     parallel_for(static_cast<int>(skin.cols()), 128, [&](int begin, int end) {
         for (int v = begin; v < end; ++v) {
             const ClosestPoint hit = bvh.closest_point(surface, skin.col(v));
-            if (hit.distance < kFarthest) {
+            const double crown = std::clamp((skull.mesh.vertices(1, v) - 50.0) / 40.0, 0.0, 1.0);
+            const double farthest = kFarthest + crown * (kFarthestCrown - kFarthest);
+            if (hit.distance < farthest) {
                 shifts.shift.col(v) = hit.point - Vec3(skin.col(v));
-                const double r = hit.distance / kFarthest;
+                const double r = hit.distance / farthest;
                 shifts.weight[v] = (1.0 - r * r) * (1.0 - r * r);
             }
         }
@@ -154,7 +157,7 @@ void place_skull(FaceModel& face, const std::function<Vec3(const Vec3&)>& from_g
         }
     });
     static const Adjacency kAdjacency(generic_skull().mesh);
-    Points shift = smoothed(follow_skin(face, skin), kAdjacency);
+    Points shift = smoothed(follow_skin(face, skull, skin), kAdjacency);
     move_teeth(shift, skull);
     face.bone.vertices += shift;
 

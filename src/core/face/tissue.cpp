@@ -84,9 +84,9 @@ Region region_at(double x, double y, double z) {
     return Region::Cheek;
 }
 
-/// What a region's skin is like. Limits of stretch as used by a flap simulator; thickness
-/// (epidermis and dermis) after measurements of cadaver faces, rounded; both recalled from
-/// @cite mitchell_2016 and @cite chopra_2015 and not read off their tables.
+/// What a region's skin is like. Limits of stretch as a simulator of skin flaps uses them;
+/// thickness (epidermis and dermis) rounded after @cite chopra_2015; both recalled, not read off
+/// tables.
 struct RegionSkin {
     Region region;
     const char* name;
