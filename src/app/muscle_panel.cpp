@@ -79,11 +79,13 @@ void MusclePanel::setMuscles(const std::vector<Muscle>& muscles) {
         const char* key;
         QString title;
     };
-    const std::array<Group, 5> groups{{{"brow", tr("Forehead and brow")},
+    const std::array<Group, 7> groups{{{"brow", tr("Forehead and brow")},
                                        {"eye", tr("Eyes")},
                                        {"nose", tr("Nose")},
                                        {"mouth", tr("Mouth and cheek")},
-                                       {"chin", tr("Chin")}}};
+                                       {"chin", tr("Chin")},
+                                       {"neck", tr("Neck")},
+                                       {"jaw", tr("Jaw and chewing")}}};
     for (const Group& group : groups) {
         auto* box = new QGroupBox(group.title);
         auto* inside = new QVBoxLayout(box);
@@ -118,7 +120,11 @@ void MusclePanel::addRow(QVBoxLayout* into, const std::vector<Muscle>& muscles, 
     layout->setSpacing(0);
     auto* line = new QHBoxLayout;
     row.label = new QLabel;
-    row.label->setToolTip(QString::fromStdString(traits.name + " · " + traits.action_unit));
+    const bool japanese = QLocale().language() == QLocale::Japanese;
+    row.label->setToolTip(QString::fromStdString(
+        traits.name + " · " + traits.action_unit + "\n" + traits.latin + "\n" +
+        (japanese ? traits.does_ja : traits.does) + "\n" +
+        (japanese ? traits.note_ja : traits.note)));
     row.value = new QLabel;
     row.value->setMinimumWidth(44);
     row.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

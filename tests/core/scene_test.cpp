@@ -6,6 +6,8 @@
 #include "myoface/scene/camera.h"
 #include "myoface/scene/colour_map.h"
 #include "myoface/scene/face_scene.h"
+#include "myoface/scene/muscle_drawing.h"
+#include "myoface/sim/simulator.h"
 
 #include "test_meshes.h"
 
@@ -104,6 +106,56 @@ TEST(FaceScene, LeavesLoosePartsOutAndTakesThemBack) {
     EXPECT_LT(scene.scene().skin.indices.size(), all.size());  // without the eyeballs
     scene.show_loose_parts(true);
     EXPECT_EQ(scene.scene().skin.indices, all);
+}
+
+TEST(FaceScene, CutsTheSkinAwayFromTheLeft) {
+    FaceScene scene(test::small_model()->scan, nullptr);
+    EXPECT_FALSE(scene.scene().cut);
+    scene.cut_away(0.5);
+    EXPECT_TRUE(scene.scene().cut);
+    EXPECT_NEAR(scene.scene().cut_offset, 0.0F, 0.5F);  // the midplane of a symmetric head
+    scene.cut_away(0.0);
+    EXPECT_FALSE(scene.scene().cut);
+}
+
+TEST(MuscleDrawing, FindsAndNamesWhatIsUnderTheMouse) {
+    const auto face = test::small_model();
+    const int zygomatic = test::muscle(*face, "zygomaticus_major.L");
+    const Muscle& muscle = face->muscles[static_cast<std::size_t>(zygomatic)];
+    const Vec3 middle = muscle.path.col(muscle.path.cols() / 2);
+    const Vec3 outward = muscle.outward.col(muscle.outward.cols() / 2).normalized();
+    const auto found = muscle_on_ray(*face, {middle + 200.0 * outward, -outward});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(face->muscles[static_cast<std::size_t>(*found)].traits.name, "zygomaticus_major.L");
+    EXPECT_FALSE(muscle_on_ray(*face, {Vec3(0, 0, 500), Vec3::UnitZ()}));
+    const std::string words = muscle_in_words(muscle.traits, false);
+    EXPECT_NE(words.find("Zygomaticus major, left"), std::string::npos);
+    EXPECT_NE(muscle_in_words(muscle.traits, true).find("大頬骨筋（左）"), std::string::npos);
+    Eigen::Index chin = 0;
+    (face->skin.mesh.vertices.colwise() - face->landmarks.at("pg").position)
+        .colwise()
+        .squaredNorm()
+        .minCoeff(&chin);
+    EXPECT_EQ(tissue_in_words(*face, static_cast<int>(chin), false).rfind("chin", 0), 0U);
+    EXPECT_NE(tissue_in_words(*face, static_cast<int>(chin), true).find("オトガイ"),
+              std::string::npos);
+}
+
+TEST(MuscleDrawing, MovesWithItsChainsAndKeepsItsTopology) {
+    const auto face = test::small_model();
+    Simulator sim(face);
+    SurfaceLayer layer;
+    draw_muscles(layer, *face, sim.system().chains, sim.state().positions);
+    ASSERT_GT(layer.indices.size(), 10000U);
+    ASSERT_EQ(layer.positions.cols(), layer.normals.cols());
+    EXPECT_TRUE(layer.positions.allFinite() && layer.normals.allFinite());
+    const auto indices = layer.indices;
+    const FloatPoints before = layer.positions;
+    sim.set_contraction(muscles_named("jaw_opening")[0], 0.5);
+    sim.settle();
+    draw_muscles(layer, *face, sim.system().chains, sim.state().positions);
+    EXPECT_EQ(layer.indices, indices);
+    EXPECT_GT((layer.positions - before).cwiseAbs().maxCoeff(), 5.0F);
 }
 
 }  // namespace

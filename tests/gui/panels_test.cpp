@@ -42,6 +42,29 @@ TEST(MusclePanel, MovesBothSidesTogether) {
     EXPECT_DOUBLE_EQ(p.rates[0], 0.6);
 }
 
+TEST(MusclePanel, HasASliderForEveryMuscle) {
+    Panel p;
+    for (std::size_t m = 0; m < muscle_atlas().size(); ++m) {
+        ASSERT_NE(p.panel.slider(static_cast<int>(m)), nullptr) << muscle_atlas()[m].traits.name;
+        p.panel.setRate(static_cast<int>(m), 0.3);
+        EXPECT_EQ(p.panel.slider(static_cast<int>(m))->value(), 30);
+    }
+}
+
+TEST(LayerPanel, CutsTheSkinAway) {
+    LayerPanel panel;
+    int edits = 0;
+    QObject::connect(&panel, &LayerPanel::layersEdited, [&] { ++edits; });
+    EXPECT_EQ(panel.cutAway(), 0.0);
+    for (QSlider* slider : panel.findChildren<QSlider*>()) {
+        if (slider->accessibleName() == QStringLiteral("Cut-away")) {
+            slider->setValue(40);
+        }
+    }
+    EXPECT_DOUBLE_EQ(panel.cutAway(), 0.4);
+    EXPECT_EQ(edits, 1);
+}
+
 TEST(MusclePanel, MovesOneSideWhenApart) {
     Panel p;
     p.panel.findChild<QCheckBox*>()->setChecked(false);

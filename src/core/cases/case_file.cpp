@@ -298,6 +298,7 @@ OpenedFace open_generic() {
     face.name = face.scan_name = "generic.ply";
     face.landmarks = std::move(generic.landmarks);
     face.report = describe(generic.scan);
+    face.texture = load_texture(generic.scan);
     face.scan = std::make_shared<const Scan>(std::move(generic.scan));
     return face;
 }
