@@ -9,6 +9,9 @@ namespace myoface {
 namespace {
 
 double pull(const ContourHandle& handle, const Vec3& at, const Vec3& p) {
+    if (std::abs(p.x() - at.x()) >= handle.radius || std::abs(p.y() - at.y()) >= handle.radius) {
+        return 0.0;
+    }
     const double square = (p - at).squaredNorm() / (handle.radius * handle.radius);
     if (square >= 1.0) {
         return 0.0;

@@ -33,19 +33,33 @@ double turned_ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii, do
     return ellipsoid_local({c * d.x() - s * d.z(), d.y(), s * d.x() + c * d.z()}, radii);
 }
 
-/// Distance to a chain of beads joined by cones.
-double tube_distance(const Vec3& p, const Tube& tube) {
+/// Distance to a chain of beads joined by cones; a lower bound that is larger than `limit` where
+/// it is further off than that.
+double tube_distance(const Vec3& p, const Tube& tube, double limit) {
+    const double off = tube.box.exteriorDistance(p);
+    if (off > limit) {
+        return off;
+    }
     double best = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < tube.size(); ++i) {
-        best = std::min(best, capsule(p, tube[i].centre, tube[i + 1].centre, tube[i].radius,
-                                      tube[i + 1].radius));
+    const std::vector<Bead>& beads = tube.beads;
+    for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
+        best = std::min(best, capsule(p, beads[i].centre, beads[i + 1].centre, beads[i].radius,
+                                      beads[i + 1].radius));
     }
     return best;
 }
 
+/// Joins or takes away a tube, which is looked at only where its blend reaches.
+double with_tube(double d, const Vec3& p, const Tube& tube, double k) {
+    return smooth_min(d, tube_distance(p, tube, d + k), k);
+}
+double without_tube(double d, const Vec3& p, const Tube& tube, double k) {
+    return subtract(d, tube_distance(p, tube, k - d), k);
+}
+
 /// Catmull-Rom centre line through the given beads, sampled `per_span` times a span.
-Tube smooth_tube(const Tube& through, int per_span = 8) {
-    Tube result;
+Tube smooth_tube(const std::vector<Bead>& through, int per_span = 8) {
+    std::vector<Bead> result;
     const auto at = [&](std::ptrdiff_t i) -> const Bead& {
         return through[static_cast<std::size_t>(
             std::clamp<std::ptrdiff_t>(i, 0, static_cast<std::ptrdiff_t>(through.size()) - 1))];
@@ -64,7 +78,13 @@ Tube smooth_tube(const Tube& through, int per_span = 8) {
         }
     }
     result.push_back(through.back());
-    return result;
+    Tube tube;
+    for (const Bead& bead : result) {
+        tube.box.extend(Vec3(bead.centre.array() - bead.radius));
+        tube.box.extend(Vec3(bead.centre.array() + bead.radius));
+    }
+    tube.beads = std::move(result);
+    return tube;
 }
 
 constexpr double kCrown = 2.6;  // exponent of the super-ellipse that closes the skull
@@ -184,10 +204,10 @@ double HeadField::bony_face(const Vec3& q) const {
     d = smooth_max(d, under, 22.0);
     d = smooth_min(d, ellipsoid(q, {0, -83, 79.5}, {19, 14.5, 18}), 16.0);
     if (reaches(d, p, {32, -62, 36}, 54.0, 22.0)) {
-        d = smooth_min(d, tube_distance(p, mandible_), 22.0);
+        d = with_tube(d, p, mandible_, 22.0);
     }
     if (reaches(d, p, {26, 37, 78}, 34.0, 20.0)) {
-        d = smooth_min(d, tube_distance(p, brow_), 20.0);
+        d = with_tube(d, p, brow_, 20.0);
     }
     d = smooth_min(d, ellipsoid(q, {0, 39, 82.5}, {18, 12, 12.2}), 18.0);
     d = smooth_min(d, ellipsoid(broad, {18, 58, 60}, {30, 28, 32}), 24.0);
@@ -205,7 +225,7 @@ double HeadField::bony_face(const Vec3& q) const {
     const double neck_distance = smooth_max(53.0 * (neck - 1.0), neck_top, 20.0);
     d = smooth_min(d, neck_distance, 16.0);
     if (reaches(d, p, {34, -98, 0}, 92.0, 22.0)) {
-        d = smooth_min(d, tube_distance(p, sternomastoid_), 22.0);
+        d = with_tube(d, p, sternomastoid_, 22.0);
     }
     d = smooth_min(d, ellipsoid(q, {0, -124, 15}, {11, 18, 11}), 18.0);
     d = smooth_min(d, capsule(p, {48, -20, -10}, {41, -66, -4}, 10.0, 11.0), 26.0);
@@ -264,8 +284,8 @@ double HeadField::ear(const Vec3& p) const {
     const double outline = (std::sqrt(rim) - 1.0) * 16.0;
     double d = smooth_max(std::abs(dish) - 2.2, outline, 3.0);
     d = smooth_min(d, ellipsoid(p, {67, 2, -14}, {7, 20, 9}), 6.0);
-    d = smooth_min(d, tube_distance(p, helix_), 3.5);
-    d = smooth_min(d, tube_distance(p, antihelix_), 3.0);
+    d = with_tube(d, p, helix_, 3.5);
+    d = with_tube(d, p, antihelix_, 3.0);
     d = smooth_min(d, ellipsoid(p, {71.5, -21, -10}, {3.6, 8, 6}), 5.0);
     d = subtract(d, ellipsoid(p, {76, 0, -13}, {7, 9.5, 6.5}), 3.0);
     d = smooth_min(d, ellipsoid(p, {68.5, -1, -1.5}, {3, 6.5, 5}), 4.0);
@@ -286,7 +306,7 @@ double HeadField::without_lips(const Vec3& q) const {
     if (reaches(d, q, {0, 0, 95}, 45.0, 10.0)) {
         d = smooth_min(d, ellipsoid(q, {0, -32, 90}, {11.5, 7, 10}), 10.0);
         d = smooth_min(d, nose(q), 7.0);
-        d = subtract(d, tube_distance(p, alar_groove_), 5.0);
+        d = without_tube(d, p, alar_groove_, 5.0);
         d = subtract(d, nostril(p), 1.8);
     }
     if (reaches(d, p, {75, 3, -15}, 40.0, 6.0)) {
@@ -316,17 +336,17 @@ double HeadField::primitives(const Vec3& q) const {
     const Vec3 p(std::sqrt(q.x() * q.x() + 0.36), q.y(), q.z());
     double d = without_lips(q);
     if (reaches(d, p, {31.5, 25, 75}, 20.0, 4.0)) {
-        d = subtract(d, tube_distance(p, lid_crease_), 3.2);
+        d = without_tube(d, p, lid_crease_, 3.2);
     }
     if (reaches(d, q, {0, -45, 95}, 42.0, 11.0)) {
-        d = smooth_min(d, tube_distance(p, philtral_column_), 6.0);
-        d = subtract(d, tube_distance(q, philtral_groove_), 5.0);
+        d = with_tube(d, p, philtral_column_, 6.0);
+        d = without_tube(d, q, philtral_groove_, 5.0);
         d = subtract(d, ellipsoid(q, {0, -68.2, 104.5}, {19, 5.5, 8}), 11.0);
-        d = subtract(d, tube_distance(p, nasolabial_), 11.0);
+        d = without_tube(d, p, nasolabial_, 11.0);
         // Each lip blends with the skin for itself. Where they meet only a shallow groove is left:
         // the mesh is slit there, and no triangle must dive into a crease.
-        d = smooth_min(smooth_min(d, tube_distance(q, upper_lip_), 4.2),
-                       smooth_min(d, tube_distance(q, lower_lip_), 4.2), 1.2);
+        d = smooth_min(with_tube(d, q, upper_lip_, 4.2),
+                       with_tube(d, q, lower_lip_, 4.2), 1.2);
     }
     return smooth_max(d, kNeckCut - q.y(), 16.0);
 }
@@ -346,7 +366,7 @@ double HeadField::front_z(double x, double y) const {
 }
 
 Tube HeadField::snapped(const std::vector<Eigen::Vector4d>& points, bool across) const {
-    Tube through;
+    std::vector<Bead> through;
     if (across) {  // mirror it: one tube from corner to corner
         for (auto q = points.rbegin(); q + 1 != points.rend(); ++q) {
             through.push_back({{-(*q)[0], (*q)[1], front_z((*q)[0], (*q)[1]) + (*q)[3]}, (*q)[2]});

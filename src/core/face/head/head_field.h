@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "myoface/base/points.h"
 
 #include "spline.h"
@@ -48,7 +50,10 @@ public:
         Vec3 centre;
         double radius;
     };
-    using Tube = std::vector<Bead>;
+    struct Tube {
+        std::vector<Bead> beads;
+        Eigen::AlignedBox3d box;  ///< around all beads
+    };
 
 private:
     inline static const Vec3 kEyeCentre{31.5, 17.2, 68.2};  ///< in the space of the curves
