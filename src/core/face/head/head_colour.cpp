@@ -156,9 +156,10 @@ Vec3 skin(const Vec3& p, const HeadLook& look, bool fine) {
     colour = mixed(colour, kNostrilColour, nostril_share(q));
     if (look.stubble > 0.0 && q.z() > 0.0) {
         // Moustache, chin, jaw and throat; lips and the hollow beside the lower lip stay free.
-        double beard = step(-34.0, -40.0, q.y() + 0.35 * std::max(0.0, 22.0 - x) * 0.4) *
-                       step(4.0, -3.0, q.y() + 44.0 - 0.95 * std::max(0.0, x - 26.0)) *
-                       step(-128.0, -112.0, q.y()) * step(-6.0, 12.0, q.z());
+        // Its upper border hangs from the wings of the nose and rises to the sideburns.
+        const double border = -33.0 - 9.0 * step(12.0, 34.0, x) + 36.0 * step(50.0, 66.0, x);
+        double beard = step(5.0, -7.0, q.y() - border + 2.5 * noise(q / 5.0)) *
+                       step(-128.0, -104.0, q.y()) * step(-6.0, 16.0, q.z());
         beard *= 1.0 - lips(q, x, 2.2);
         if (fine) {
             beard *= 0.75 + 0.6 * noise(q * 2.2);
