@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "myoface/base/error.h"
+#include "myoface/muscle/expression.h"
 #include "myoface/sim/plan.h"
 
 #include "main_window.h"
@@ -77,12 +78,15 @@ int main(int argc, char** argv) {
     const QCommandLineOption muscle(QStringLiteral("muscle"),
                                     QObject::tr("NAME=c, contraction; repeatable"),
                                     QStringLiteral("setting"));
+    const QCommandLineOption expression(QStringLiteral("expression"),
+                                        QObject::tr("NAME=w, intensity; repeatable"),
+                                        QStringLiteral("setting"));
     const QCommandLineOption layers(QStringLiteral("layers"),
                                     QObject::tr("of skin,muscle,bone,springs"),
                                     QStringLiteral("list"));
     const QCommandLineOption view(QStringLiteral("view"), QObject::tr("standard view"),
                                   QStringLiteral("name"));
-    parser.addOptions({screenshot, muscle, layers, view});
+    parser.addOptions({screenshot, muscle, expression, layers, view});
     parser.process(application);
 
     if (!hasOpenGl()) {
@@ -97,7 +101,12 @@ int main(int argc, char** argv) {
     }
 
     std::vector<std::pair<std::string, double>> rates;
+    std::vector<std::pair<std::string, double>> expressions;
     try {
+        for (const QString& text : parser.values(expression)) {
+            expressions.push_back(myoface::parse_setting(text.toStdString()));
+            myoface::expression_named(expressions.back().first);
+        }
         for (const QString& text : parser.values(muscle)) {
             rates.push_back(myoface::parse_setting(text.toStdString()));
             myoface::muscles_named(rates.back().first);
@@ -117,6 +126,9 @@ int main(int argc, char** argv) {
     window.show();
     QObject::connect(&window, &myoface::MainWindow::opened, &window, [&] {
         try {
+            for (const auto& [name, intensity] : expressions) {
+                window.addExpression(name, intensity);
+            }
             for (const auto& [name, rate] : rates) {
                 window.setRates(name, rate);
             }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "main_window.h"
 
+#include <numeric>
+
 #include <QAction>
 #include <QActionGroup>
 #include <QCloseEvent>
@@ -19,6 +21,7 @@
 #include <QVBoxLayout>
 
 #include "myoface/base/error.h"
+#include "myoface/muscle/expression.h"
 #include "myoface/scene/muscle_drawing.h"
 
 #include "commands.h"
@@ -98,6 +101,13 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
             [this](const std::vector<int>& which, double rate, int gesture, const QString& title) {
                 m_document.undoStack()->push(new SetRatesCommand(
                     m_document, which, std::vector<double>(which.size(), rate), gesture, title));
+            });
+    connect(m_muscles, &MusclePanel::expressionChosen, this,
+            [this](const std::string& name, double intensity, int gesture) {
+                if (m_document.model()) {  // from rest: the list shows one expression at a time
+                    pushExpression(std::vector<double>(m_document.contractions().rate.size(), 0.0),
+                                   name, intensity, gesture);
+                }
             });
     connect(m_muscles, &MusclePanel::resetRequested, this, &MainWindow::restMuscles);
     connect(m_layers, &LayerPanel::layersEdited, this, [this] {
@@ -678,6 +688,24 @@ void MainWindow::setRates(const std::string& muscle, double rate) {
         m_document, which, std::vector<double>(which.size(), rate), -2,
         QString::fromStdString(
             m_document.model()->muscles[static_cast<std::size_t>(which[0])].traits.title)));
+}
+
+void MainWindow::pushExpression(std::vector<double> rates, const std::string& name,
+                                double intensity, int gesture) {
+    const Expression expression = expression_named(name);
+    add_expression(rates, expression, intensity);
+    std::vector<int> which(rates.size());
+    std::iota(which.begin(), which.end(), 0);
+    m_document.undoStack()->push(new SetRatesCommand(
+        m_document, which, rates, gesture,
+        QString::fromStdString(locale().language() == QLocale::Japanese ? expression.title_ja
+                                                                        : expression.title)));
+}
+
+void MainWindow::addExpression(const std::string& name, double intensity) {
+    if (m_document.model()) {
+        pushExpression(m_document.contractions().rate, name, intensity, -2);
+    }
 }
 
 void MainWindow::setLayers(const LayerOpacity& layers) {

@@ -42,6 +42,8 @@ public:
     bool settled() const { return m_settled && !m_job; }
     const QString& lastProblem() const { return m_lastProblem; }
     void setRates(const std::string& muscle, double rate);
+    /// Adds an expression to what the muscles do. @throws InvalidInput for an unknown name
+    void addExpression(const std::string& name, double intensity);
     void setLayers(const LayerOpacity& layers);
 
 Q_SIGNALS:
@@ -75,6 +77,8 @@ private:
     void dragFinished(const std::shared_ptr<const DragOutcome>& outcome);
     void resetFace();
     void restMuscles();
+    void pushExpression(std::vector<double> rates, const std::string& name, double intensity,
+                        int gesture);
     void nameWhatIsThere(const ViewRay& ray, const std::optional<SurfacePoint>& where);
     void showBefore(bool held);
     void complain(const QString& sentence);

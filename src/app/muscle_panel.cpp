@@ -13,6 +13,8 @@
 #include <QSignalBlocker>
 #include <QWheelEvent>
 
+#include "myoface/muscle/expression.h"
+
 namespace myoface {
 namespace {
 
@@ -50,6 +52,30 @@ MusclePanel::MusclePanel(QWidget* parent) : QWidget(parent) {
     top->addStretch(1);
     top->addWidget(rest);
     layout->addLayout(top);
+    auto* expression = new QHBoxLayout;
+    m_expression = new QComboBox;
+    m_expression->setAccessibleName(tr("Expression"));
+    m_expression->addItem(tr("Expression …"));
+    for (const Expression& preset : expression_presets()) {
+        m_expression->addItem(
+            QString::fromStdString(QLocale().language() == QLocale::Japanese ? preset.title_ja
+                                                                             : preset.title),
+            QString::fromStdString(preset.name));
+    }
+    m_intensity = new QSlider(Qt::Horizontal);
+    m_intensity->setRange(0, 100);
+    m_intensity->setValue(80);
+    m_intensity->setAccessibleName(tr("Intensity of the expression"));
+    m_intensity->setToolTip(tr("Intensity of the expression"));
+    expression->addWidget(m_expression, 1);
+    expression->addWidget(m_intensity, 1);
+    layout->addLayout(expression);
+    connect(m_expression, QOverload<int>::of(&QComboBox::activated), this, [this] {
+        ++m_gesture;
+        chooseExpression();
+    });
+    connect(m_intensity, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
+    connect(m_intensity, &QSlider::valueChanged, this, &MusclePanel::chooseExpression);
     m_filter = new QLineEdit;
     m_filter->setPlaceholderText(tr("Find a muscle or action unit"));
     m_filter->setClearButtonEnabled(true);
@@ -102,6 +128,13 @@ void MusclePanel::setMuscles(const std::vector<Muscle>& muscles) {
     applyLink();
 }
 
+void MusclePanel::chooseExpression() {
+    const std::string name = m_expression->currentData().toString().toStdString();
+    if (!name.empty()) {
+        Q_EMIT expressionChosen(name, m_intensity->value() / 100.0, m_gesture);
+    }
+}
+
 void MusclePanel::addRow(QVBoxLayout* into, const std::vector<Muscle>& muscles, int muscle) {
     const MuscleTraits& traits = muscles[static_cast<std::size_t>(muscle)].traits;
     Row& row = m_rows[static_cast<std::size_t>(muscle)];
@@ -121,10 +154,10 @@ void MusclePanel::addRow(QVBoxLayout* into, const std::vector<Muscle>& muscles, 
     auto* line = new QHBoxLayout;
     row.label = new QLabel;
     const bool japanese = QLocale().language() == QLocale::Japanese;
-    row.label->setToolTip(QString::fromStdString(
-        traits.name + " · " + traits.action_unit + "\n" + traits.latin + "\n" +
-        (japanese ? traits.does_ja : traits.does) + "\n" +
-        (japanese ? traits.note_ja : traits.note)));
+    row.label->setToolTip(QString::fromStdString(traits.name + " · " + traits.action_unit + "\n" +
+                                                 traits.latin + "\n" +
+                                                 (japanese ? traits.does_ja : traits.does) + "\n" +
+                                                 (japanese ? traits.note_ja : traits.note)));
     row.value = new QLabel;
     row.value->setMinimumWidth(44);
     row.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

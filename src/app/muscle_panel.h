@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
@@ -31,6 +32,8 @@ Q_SIGNALS:
     void ratesEdited(const std::vector<int>& muscles, double rate, int gesture,
                      const QString& title);
     void resetRequested();
+    /// A preset is to be shown alone, with an intensity of 0 … 1.
+    void expressionChosen(const std::string& name, double intensity, int gesture);
 
 private:
     struct Row {
@@ -49,6 +52,10 @@ private:
     void applyFilter(const QString& text);
 
     QCheckBox* m_linked = nullptr;
+    void chooseExpression();
+
+    QComboBox* m_expression = nullptr;
+    QSlider* m_intensity = nullptr;
     QLineEdit* m_filter = nullptr;
     QWidget* m_list = nullptr;
     QVBoxLayout* m_listLayout = nullptr;

@@ -2,6 +2,7 @@
 #include "face_arguments.h"
 
 #include "myoface/io/text_file.h"
+#include "myoface/muscle/expression.h"
 
 namespace myoface::cli {
 
@@ -39,6 +40,11 @@ OpenedFace FaceArguments::open() const {
 void EditArguments::add_to(CLI::App& command) {
     command.add_option("--muscle", muscles, "NAME=c, contraction from -0.5 to 1; repeatable")
         ->allow_extra_args(false);
+    command
+        .add_option("--expression", expressions,
+                    "NAME=w, a preset (joy, full_smile, ...) or action unit (AU12, AU12.L) with "
+                    "its intensity from 0 to 1; repeatable, they add up")
+        ->allow_extra_args(false);
     command.add_option("--strength", strengths, "NAME=s, strength from 0 to 1; repeatable")
         ->allow_extra_args(false);
     command
@@ -58,6 +64,11 @@ Plan EditArguments::edits() const {
         const auto [name, value] = parse_setting(text);
         muscles_named(name);
         result.emplace_back(StrengthEdit{name, value});
+    }
+    for (const std::string& text : expressions) {
+        const auto [name, value] = parse_setting(text);
+        expression_named(name);
+        result.emplace_back(ExpressionEdit{name, value});
     }
     for (const std::string& text : muscles) {
         const auto [name, value] = parse_setting(text);

@@ -20,9 +20,10 @@ struct FaceArguments {
     OpenedFace open() const;
 };
 
-/// --muscle, --strength, --drag, --plan, in the order: plan, muscles, strengths, drags.
+/// --muscle, --expression, --strength, --drag, --plan, in the order: plan, strengths, expressions,
+/// muscles, drags.
 struct EditArguments {
-    std::vector<std::string> muscles, strengths, drags;
+    std::vector<std::string> muscles, expressions, strengths, drags;
     std::string plan;
 
     void add_to(CLI::App& command);

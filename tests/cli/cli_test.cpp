@@ -98,6 +98,22 @@ TEST(Simulate, WritesTheReportThatIsDocumented) {
     EXPECT_EQ(nlohmann::json::parse(read_file(report))["state_hash"], hash);
 }
 
+TEST(Simulate, ShowsAnExpression) {
+    const std::string smile = (face().folder / "joy.ply").string();
+    const std::string report = (face().folder / "joy.json").string();
+    ASSERT_EQ(cli("simulate " + face().scan + " --expression joy=0.8 --expression AU26=0.3 -o " +
+                  smile + " --report " + report)
+                  .code,
+              0);
+    const auto json = nlohmann::json::parse(read_file(report));
+    EXPECT_NEAR(json["muscles"]["zygomaticus_major.L"].get<double>(), 0.72, 1e-9);
+    EXPECT_GT(json["muscles"]["jaw_opening"].get<double>(), 0.1);
+    expect_refusal("simulate " + face().scan + " --expression glee=1 -o " + smile, 1,
+                   "no expression 'glee'");
+    expect_refusal("simulate " + face().scan + " --expression joy=2 -o " + smile, 1,
+                   "between 0 and 1");
+}
+
 TEST(Simulate, ReplaysAPlan) {
     const std::string plan = (face().folder / "plan.json").string();
     std::ofstream(plan) << R"({"plan":[{"muscle":"mentalis","rate":0.5}]})";

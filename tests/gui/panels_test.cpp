@@ -5,6 +5,8 @@
 #include <QtTest>
 #include <gtest/gtest.h>
 
+#include "myoface/muscle/expression.h"
+
 #include "landmark_guide.h"
 #include "layer_panel.h"
 #include "muscle_panel.h"
@@ -49,6 +51,30 @@ TEST(MusclePanel, HasASliderForEveryMuscle) {
         p.panel.setRate(static_cast<int>(m), 0.3);
         EXPECT_EQ(p.panel.slider(static_cast<int>(m))->value(), 30);
     }
+}
+
+TEST(MusclePanel, OffersExpressions) {
+    Panel p;
+    std::vector<std::pair<std::string, double>> chosen;
+    QObject::connect(&p.panel, &MusclePanel::expressionChosen,
+                     [&](const std::string& name, double intensity, int) {
+                         chosen.emplace_back(name, intensity);
+                     });
+    auto* list = p.panel.findChild<QComboBox*>();
+    ASSERT_NE(list, nullptr);
+    EXPECT_EQ(list->count(), static_cast<int>(expression_presets().size()) + 1);
+    list->setCurrentIndex(1);
+    Q_EMIT list->activated(1);
+    ASSERT_EQ(chosen.size(), 1U);
+    EXPECT_EQ(chosen[0].first, expression_presets()[0].name);
+    EXPECT_DOUBLE_EQ(chosen[0].second, 0.8);
+    for (QSlider* slider : p.panel.findChildren<QSlider*>()) {
+        if (slider->accessibleName() == QStringLiteral("Intensity of the expression")) {
+            slider->setValue(30);
+        }
+    }
+    ASSERT_EQ(chosen.size(), 2U);
+    EXPECT_DOUBLE_EQ(chosen[1].second, 0.3);
 }
 
 TEST(LayerPanel, CutsTheSkinAway) {

@@ -33,11 +33,18 @@ struct StrengthEdit {
     double strength = 1.0;
 };
 
+/// Adds to the contractions that are there.
+struct ExpressionEdit {
+    std::string expression;
+    double intensity = 1.0;
+};
+
 /// Edits in the order they are made.
-using Edit = std::variant<ContractionEdit, StrengthEdit, DragEdit>;
+using Edit = std::variant<ContractionEdit, StrengthEdit, DragEdit, ExpressionEdit>;
 using Plan = std::vector<Edit>;
 
-/// {"plan": [{"muscle": name, "rate": c}, {"muscle": name, "strength": s}, {"drag": text}]}
+/// {"plan": [{"muscle": name, "rate": c}, {"muscle": name, "strength": s}, {"drag": text},
+///           {"expression": name, "intensity": w}]}
 /// @throws IoError, InvalidInput
 Plan plan_from_json(const std::string& text, const std::string& name);
 std::string plan_to_json(const Plan& plan);

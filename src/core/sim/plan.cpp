@@ -10,6 +10,7 @@
 #include "myoface/base/error.h"
 #include "myoface/io/text_file.h"
 #include "myoface/mesh/bvh.h"
+#include "myoface/muscle/expression.h"
 
 namespace myoface {
 namespace {
@@ -196,11 +197,18 @@ Plan plan_from_json(const std::string& text, const std::string& name) {
         } else if (muscle && edit.contains("rate") && edit["rate"].is_number()) {
             plan.emplace_back(
                 ContractionEdit{edit["muscle"].get<std::string>(), edit["rate"].get<double>()});
+        } else if (edit.is_object() && edit.contains("expression") &&
+                   edit["expression"].is_string() && edit.contains("intensity") &&
+                   edit["intensity"].is_number()) {
+            plan.emplace_back(ExpressionEdit{edit["expression"].get<std::string>(),
+                                             edit["intensity"].get<double>()});
         } else if (muscle && edit.contains("strength") && edit["strength"].is_number()) {
             plan.emplace_back(
                 StrengthEdit{edit["muscle"].get<std::string>(), edit["strength"].get<double>()});
         } else {
-            throw IoError(place + "is neither a drag nor a muscle with a rate or strength.");
+            throw IoError(place +
+                          "is neither a drag, nor a muscle with a rate or strength, nor an "
+                          "expression with an intensity.");
         }
     }
     return plan;
@@ -213,6 +221,9 @@ std::string plan_to_json(const Plan& plan) {
             list.push_back({{"muscle", rate->muscle}, {"rate", rate->rate}});
         } else if (const auto* strength = std::get_if<StrengthEdit>(&edit)) {
             list.push_back({{"muscle", strength->muscle}, {"strength", strength->strength}});
+        } else if (const auto* expression = std::get_if<ExpressionEdit>(&edit)) {
+            list.push_back(
+                {{"expression", expression->expression}, {"intensity", expression->intensity}});
         } else {
             list.push_back({{"drag", drag_to_text(std::get<DragEdit>(edit))}});
         }
@@ -234,6 +245,21 @@ PlanReport run_plan(Simulator& simulator, const Plan& plan) {
     PlanReport report;
     bool settled = false;
     for (std::size_t i = 0; i < plan.size(); ++i) {
+        if (const auto* expression = std::get_if<ExpressionEdit>(&plan[i])) {
+            if (!(expression->intensity >= 0.0 && expression->intensity <= 1.0)) {
+                throw InvalidInput("The intensity of " + expression->expression +
+                                   " must lie between 0 and 1.");
+            }
+            std::vector<double> rates = simulator.contractions().rate;
+            add_expression(rates, expression_named(expression->expression), expression->intensity);
+            for (std::size_t m = 0; m < rates.size(); ++m) {
+                if (rates[m] != simulator.contractions().rate[m]) {
+                    simulator.set_contraction(static_cast<int>(m), rates[m]);
+                }
+            }
+            settled = false;
+            continue;
+        }
         if (const auto* rate = std::get_if<ContractionEdit>(&plan[i])) {
             for (const int m : muscles_named(rate->muscle)) {
                 simulator.set_contraction(m, rate->rate);

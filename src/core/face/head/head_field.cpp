@@ -345,8 +345,7 @@ double HeadField::primitives(const Vec3& q) const {
         d = without_tube(d, p, nasolabial_, 11.0);
         // Each lip blends with the skin for itself. Where they meet only a shallow groove is left:
         // the mesh is slit there, and no triangle must dive into a crease.
-        d = smooth_min(with_tube(d, q, upper_lip_, 4.2),
-                       with_tube(d, q, lower_lip_, 4.2), 1.2);
+        d = smooth_min(with_tube(d, q, upper_lip_, 4.2), with_tube(d, q, lower_lip_, 4.2), 1.2);
     }
     return smooth_max(d, kNeckCut - q.y(), 16.0);
 }
