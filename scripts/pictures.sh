@@ -47,6 +47,16 @@ act 5-mouth-open --muscle jaw_opening=0.8
 montage "$work"/act-*.png -tile 5x1 -geometry +2+2 "$work/acts.png"
 convert "$work/acts.png" -resize 1500x -quality 90 $out/actions.jpg
 
+presets="joy sadness surprise fear anger disgust contempt gentle_smile full_smile brow_raise frown eyes_closed \
+  eyes_tight snarl pucker show_teeth jaw_open"
+shown=()
+for preset in $presets; do
+  draw "$face" --size 300x350 --expression "$preset=1" -o "$work/preset-$preset.png"
+  shown+=("$work/preset-$preset.png")
+done
+montage "${shown[@]}" -tile 6x3 -geometry +2+2 "$work/presets.png"
+convert "$work/presets.png" -resize 1500x -quality 90 $out/expressions.jpg
+
 [ $# -ge 1 ] || exit 0
 scan=$1
 "$bin/myoface-cli" render "$scan" --size $size -o $out/scan-before.png
