@@ -24,14 +24,13 @@ double rate_of(const Expression& expression, const char* muscle) {
 }
 
 TEST(Expression, HoldsPresetsAndActionUnits) {
-    for (const char* name :
-         {"joy", "sadness", "surprise", "fear", "anger", "disgust", "contempt", "gentle_smile",
-          "full_smile", "brow_raise", "frown", "eyes_closed", "eyes_tight", "snarl", "pucker",
-          "show_teeth", "jaw_open"}) {
+    for (const char* name : {"joy", "sadness", "surprise", "fear", "anger", "disgust", "contempt",
+                             "gentle_smile", "full_smile", "brow_raise", "frown", "eyes_closed",
+                             "eyes_tight", "snarl", "pucker", "show_teeth", "jaw_open"}) {
         EXPECT_FALSE(expression_named(name).rates.empty()) << name;
     }
-    for (const int unit : {1, 2, 4, 5, 6, 7, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 20, 22, 23, 24,
-                           26, 27, 28, 43, 45}) {
+    for (const int unit : {1,  2,  4,  5,  6,  7,  9,  10, 11, 12, 13, 14, 15,
+                           16, 17, 18, 20, 22, 23, 24, 26, 27, 28, 43, 45}) {
         const std::string name = "AU" + std::to_string(unit);
         EXPECT_FALSE(expression_named(name).rates.empty()) << name;
     }

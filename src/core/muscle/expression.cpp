@@ -58,8 +58,8 @@ Table load() {
         json::parse(read_file(resource_path("assets/expressions.json")), nullptr, false);
     try {
         Table table;
-        table.action_units = document.at("action_units")
-                                 .get<std::map<std::string, std::map<std::string, double>>>();
+        table.action_units =
+            document.at("action_units").get<std::map<std::string, std::map<std::string, double>>>();
         for (const json& entry : document.at("presets")) {
             Expression preset;
             preset.name = entry.at("name").get<std::string>();
