@@ -461,6 +461,7 @@ void MainWindow::showFace(OpenResult& result) {
     m_layers->setEnabled(model != nullptr);
     m_muscles->setEnabled(model != nullptr);
     m_scene->set_layers(m_layers->layers());
+    m_scene->cut_away(m_layers->cutAway());
     m_view->setScene(m_scene.get());
     const auto [centre, radius] = faceSphere(face);
     m_view->showStandardView(QStringLiteral("front"));
@@ -677,6 +678,7 @@ void MainWindow::showBefore(bool held) {
     if (held) {
         snapshot.positions.leftCols(m_document.model()->node_count()) =
             m_document.model()->skin.mesh.vertices;
+        snapshot.jaw = 0.0;
     }
     m_scene->show(snapshot);
     m_view->update();

@@ -43,7 +43,10 @@ Landmarks carried(const Landmarks& landmarks, const Points& from, const Points& 
 
 /// The landmarks of a face as it stands: found where none are given, moved with a case's shape.
 Landmarks landmarks_of(OpenedFace& face) {
-    find_missing_landmarks(face);
+    if (!find_missing_landmarks(face)) {
+        throw InvalidInput(face.name +
+                           ": no face was found on it; give its landmarks with --landmarks.");
+    }
     if (face.shape.cols() == 0 && face.rates.empty()) {
         return *face.landmarks;
     }

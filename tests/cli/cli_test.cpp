@@ -148,6 +148,10 @@ TEST(Generate, MeasuresAsTheNormsSay) {
     const std::string table = read_file(csv);
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 25);
     EXPECT_NE(table.find("n-gn,facial height,mm,"), std::string::npos);
+    const std::string cube = (face().folder / "cube.obj").string();
+    std::ofstream(cube)
+        << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    expect_refusal("measure " + cube, 1, "no face was found");
     EXPECT_EQ(cli("measure " + woman + " --sex x").code, 2);
     EXPECT_EQ(cli("generate --vertices 12 -o " + woman).code, 1);
 }

@@ -73,8 +73,7 @@ struct FaceModel {
     std::vector<TissueLabel> label;        ///< per skin node
     /// Per skin node: the muscles under it with weights that sum to 1, the strongest first.
     std::vector<std::vector<MuscleWeight>> muscles_under;
-    Points eyes;  ///< 3×2: centres of the left and right eyeball [mm]
-    double eye_radius = 12.2;
+    Points eyes;                      ///< 3×2: centres of the left and right eyeball [mm]
     std::vector<int> jaw_vertices;    ///< of the scan: loose parts that hang on the mandible
     std::vector<Muscle> muscles;      ///< in the atlas' order
     TriangleMesh bone;                ///< skull and mandible with their teeth

@@ -24,6 +24,7 @@ enum class MuscleAction {
     Bulge,      ///< the belly lifts the skin over it
     OpenJaw     ///< the mandible turns about its hinge and takes the skin with it
 };
+
 enum class Side { Middle, Left, Right };
 
 /// Which nodes a muscle's kernel may move.

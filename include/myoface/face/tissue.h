@@ -31,7 +31,6 @@ enum class Region {
     Scalp
 };
 std::string region_name(Region region, bool japanese = false);
-bool is_nose(Region region);
 bool is_lid(Region region);
 
 /// Kind of tissue of a mass point or link.

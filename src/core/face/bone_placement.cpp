@@ -173,7 +173,6 @@ void place_skull(FaceModel& face, const std::function<Vec3(const Vec3&)>& from_g
     face.eyes.resize(3, 2);
     face.eyes.col(0) = from_generic(eye);
     face.eyes.col(1) = from_generic({-eye.x(), eye.y(), eye.z()});
-    face.eye_radius = HeadField::kEyeRadius / face.to_generic.scale;
     face.jaw_vertices = lower_mouth_parts(face, from_generic);
 }
 

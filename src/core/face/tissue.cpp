@@ -127,10 +127,6 @@ std::string region_name(Region region, bool japanese) {
     return japanese ? skin_of(region).name_ja : skin_of(region).name;
 }
 
-bool is_nose(Region region) {
-    return region >= Region::NoseDorsum && region <= Region::Columella;
-}
-
 bool is_lid(Region region) {
     return region == Region::UpperLid || region == Region::LowerLid;
 }

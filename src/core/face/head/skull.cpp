@@ -298,11 +298,9 @@ DepthSites read_sites() {
         }
         const char bony = cells[6].rfind("cartilage", 0) == 0 ? 0 : 1;
         sites.bony.insert(sites.bony.end(), paired ? 2 : 1, bony);
-        sites.names.push_back(paired ? cells[0] + " (left)" : cells[0]);
         places.push_back(on_skin);
         depths.push_back(v[3]);
         if (paired) {
-            sites.names.push_back(cells[0] + " (right)");
             places.emplace_back(-on_skin.x(), on_skin.y(), on_skin.z());
             depths.push_back(v[3]);
         }

@@ -24,7 +24,6 @@ const Skull& generic_skull();
 /// Where the tissue table measures: places on the average head's skin, outward normals there and
 /// depths to bone.
 struct DepthSites {
-    std::vector<std::string> names;
     Points places;           ///< 3×N, pairs twice
     Points normals;          ///< 3×N
     Eigen::VectorXd depths;  ///< [mm]
