@@ -67,6 +67,7 @@ struct FaceModel {
     Landmarks landmarks;
     Similarity to_generic;                 ///< scan -> size and pose of the average head
     Points generic;                        ///< skin node -> coordinates on the average head
+    SmoothWarp from_generic;               ///< average head -> this one in its pose
     Eigen::VectorXd area;                  ///< per skin node [mm²]
     std::vector<TissueProperties> tissue;  ///< per skin node
     std::vector<SlidingSurface> sliding;   ///< per skin node
@@ -87,14 +88,18 @@ struct FaceModel {
     int node_count() const { return skin.mesh.vertex_count(); }
 };
 
-/// Puts atlas, bone, regions and labels on a scan from landmarks: similarity, then a smooth warp of
-/// the average head; muscle ends are put onto bone and skin.
+/// Puts atlas, bone, regions and labels on a scan from landmarks: similarity, a smooth warp of the
+/// average head through the landmarks, then its front bent onto the scan between them; muscle ends
+/// are put onto bone and skin. The scan stays as it is. @cite amberg_2007
 /// @throws InvalidInput when landmarks are too few, not near the scan, mirrored, or do not look
 /// like
 ///         a face
 std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
                                           const Landmarks& landmarks,
                                           const Progress* progress = nullptr);
+
+/// Where a place of the average head lies on this one [mm].
+Vec3 from_generic(const FaceModel& face, const Vec3& p);
 
 /// Unit and axes of a scan as its landmarks imply them: the quarter turns nearest to the pose of
 /// the face and, where `mm_per_unit` is not known, the unit (snapped to a usual one within 20 %).

@@ -13,12 +13,13 @@ namespace myoface {
 struct FacePose {
     Similarity to_generic;   ///< mesh -> size and pose of the average head
     double quality = 0.0;    ///< share of the average face that lies on the mesh, 0 … 1
+    double agreement = 0.0;  ///< the same of the most likely person, in place, direction and relief
     double runner_up = 0.0;  ///< quality of the best clearly different pose
 };
 
 /// Searches a face by its shape alone: any position, turn, unit and scale. Nose-like places are
 /// tried in many turns under many assumed sizes, the best refined by registration of the front of
-/// the average head. The same mesh gives the same bits.
+/// the average head, then of the most likely person. The same mesh gives the same bits.
 /// @pre faces look outwards, see examine()
 /// @return nothing when no place looks even remotely like a face
 std::optional<FacePose> find_face(const TriangleMesh& mesh, const Progress* progress = nullptr);

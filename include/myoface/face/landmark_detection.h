@@ -10,13 +10,14 @@ namespace myoface {
 /// Landmarks found on a scan by its shape alone.
 struct DetectedLandmarks {
     Landmarks landmarks;       ///< scan's model frame [mm]; error_mm says how sure each is
-    double confidence = 0.0;   ///< of the pose, see confidence_of()
+    double confidence = 0.0;   ///< 0 … 1 that this is a face and it lies as found
     double residual_mm = 0.0;  ///< median distance of the fitted front of the average head
 };
 
-/// Finds landmarks: the face by find_face(), then the front of the average head bent onto the scan,
-/// coarse to fine; its landmarks are put onto the surface, those of the midline sharpened on the
-/// profile. Landmarks that would lie off the scan are left out.
+/// Finds landmarks: the face by find_face(), then the most likely person and a free bend brought
+/// onto the scan; the landmarks go along and are put onto the surface. Those of the midline are
+/// sharpened on the profile, the corners of the mouth where the crease between the lips ends.
+/// Landmarks that would lie off the scan are left out.
 /// @param pose where the face is, if that is known already (in the scan's model frame)
 /// @throws InvalidInput when there is no face on the scan
 DetectedLandmarks detect_landmarks(const TriangleMesh& mesh, const FacePose* pose = nullptr,

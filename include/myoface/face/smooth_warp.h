@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
+#include <Eigen/LU>
 
 #include "myoface/base/points.h"
 
@@ -36,8 +36,23 @@ public:
     Points operator()(const Points& points) const;
 
 private:
+    friend class WarpCentres;
     Points centres_;
     Eigen::MatrixX3d coefficients_;  ///< kernels, then the affine part (4 rows)
+};
+
+/// The same centres of a warp for many targets: factorized once.
+class WarpCentres {
+public:
+    /// @param softness per centre, how much it may be missed [mm]; 0 is met exactly
+    /// @pre at least one softness is not 0 or no two centres coincide
+    WarpCentres(const Points& centres, const Eigen::VectorXd& softness);
+
+    SmoothWarp towards(const Points& to) const;
+
+private:
+    Points centres_;
+    Eigen::PartialPivLU<Eigen::MatrixXd> solver_;
 };
 
 }  // namespace myoface

@@ -14,6 +14,7 @@
 
 #include "face_template.h"
 #include "point_tree.h"
+#include "registration.h"
 #include "surface_samples.h"
 
 namespace myoface {
@@ -25,6 +26,7 @@ constexpr double kSmallest = 120.0;  // [mm] assumed size of the whole mesh: a t
 constexpr double kLargest = 2300.0;  // … to a standing person
 constexpr double kSizeStep = 1.22;
 constexpr double kGoodEnough = 0.7;  // quality that ends the search
+constexpr double kWorthATry = 0.5;   // quality of a pose that is looked at more closely
 constexpr double kCell = 6.0;        // [mm]
 constexpr int kReach = 4;            // cells
 constexpr std::size_t kCandidates = 60;
@@ -483,6 +485,19 @@ std::optional<FacePose> best_of(const SurfaceSamples& samples, double size,
     return pose;
 }
 
+/// Lets the most likely person say how large the head is, how it lies and whether it is one.
+void look_closer(const TriangleMesh& mesh, FacePose& pose) {
+    constexpr int kCloseSamples = 15000;
+    const SurfaceSamples samples =
+        sample_surface(around_face(mesh, pose.to_generic), kCloseSamples);
+    if (samples.points.cols() < 500) {
+        return;
+    }
+    const LikelyPerson person = likely_person(samples);
+    pose.agreement = person.agreement;
+    pose.to_generic = after(pose.to_generic, person.place.inverse());
+}
+
 }  // namespace
 
 std::optional<FacePose> find_face(const TriangleMesh& mesh, const Progress* progress) {
@@ -528,14 +543,18 @@ std::optional<FacePose> find_face(const TriangleMesh& mesh, const Progress* prog
             pose = other;
         }
     }
+    if (pose && pose->quality > kWorthATry) {
+        report(0.8);
+        look_closer(mesh, *pose);
+    }
     report(1.0);
     return pose;
 }
 
 double confidence_of(const FacePose& pose) {
-    constexpr double kNone = 0.62;  // things that are no faces stay below
-    constexpr double kSure = 0.80;  // faces reach it
-    const double fit = std::clamp((pose.quality - kNone) / (kSure - kNone), 0.0, 1.0);
+    constexpr double kNone = 0.46;  // things that are no faces stay below
+    constexpr double kSure = 0.62;  // faces reach it
+    const double fit = std::clamp((pose.agreement - kNone) / (kSure - kNone), 0.0, 1.0);
     const double alone = std::clamp((pose.quality - pose.runner_up) / 0.08, 0.0, 1.0);
     return fit * (0.3 + 0.7 * alone);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "face_template.h"
 
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "myoface/face/generic_face.h"
@@ -25,6 +27,29 @@ Vec3 gradient(const HeadField& head, const Vec3& p) {
         result[axis] = head(p + step) - head(p - step);
     }
     return result.normalized();
+}
+
+/// relief() of a field: rings instead of discs, so smaller by the root of two.
+double ring_relief(const HeadField& head, const Vec3& p, double reach) {
+    const double radius = reach / std::numbers::sqrt2;
+    Vec3 normal = gradient(head, p);
+    const Vec3 along = normal.unitOrthogonal();
+    const Vec3 across = normal.cross(along);
+    constexpr int kDirections = 12;
+    std::array<Vec3, kDirections> ring;
+    Vec3 sum = normal;
+    for (int k = 0; k < kDirections; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / kDirections;
+        ring[static_cast<std::size_t>(k)] = head.onto_surface(
+            p + radius * (std::cos(angle) * along + std::sin(angle) * across));
+        sum += gradient(head, ring[static_cast<std::size_t>(k)]);
+    }
+    normal = sum.normalized();
+    double height = 0.0;
+    for (const Vec3& q : ring) {
+        height += normal.dot(p - q) / kDirections;
+    }
+    return height;
 }
 
 FaceTemplate build() {
@@ -61,9 +86,13 @@ FaceTemplate build() {
     }
     face.normals.resize(3, kNodes);
     face.weights.resize(kNodes);
+    face.fine_relief.resize(kNodes);
+    face.coarse_relief.resize(kNodes);
     for (int i = 0; i < kNodes; ++i) {
         const Vec3 p = face.points.col(i);
         face.normals.col(i) = gradient(head, p);
+        face.fine_relief[i] = ring_relief(head, p, kFineReach);
+        face.coarse_relief[i] = ring_relief(head, p, kCoarseReach);
         const bool eye = (Vec3(std::abs(p.x()), p.y(), p.z()) - head.eye_centre()).norm() < 19.0;
         face.weights[i] = eye ? 0.3 : (p - tip).norm() < 75.0 ? 1.0 : 0.5;
     }

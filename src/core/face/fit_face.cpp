@@ -15,7 +15,9 @@
 #include "myoface/mesh/normals.h"
 
 #include "bone_placement.h"
+#include "face_template.h"
 #include "muscle_placement.h"
+#include "registration.h"
 #include "sliding_surface.h"
 
 namespace myoface {
@@ -189,6 +191,87 @@ WeldedMesh main_part(const Scan& scan, const Vec3& nose) {
     return part;
 }
 
+/// Maps between the average head and a scan in its pose. Not quite inverse to each other.
+struct HeadWarps {
+    SmoothWarp to_average, from_average;
+};
+
+/// Whether a warp turns nothing inside out around the front of the head.
+bool keeps_sense(const SmoothWarp& warp) {
+    constexpr double kStep = 1.5;      // [mm]
+    constexpr double kLeast = 0.15;    // of the volume
+    const Points& points = face_template().points;
+    Points ahead(3, 4 * points.cols());
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        ahead.col(4 * i) = points.col(i);
+        for (int axis = 0; axis < 3; ++axis) {
+            ahead.col(4 * i + 1 + axis) = points.col(i) + kStep * Vec3::Unit(axis);
+        }
+    }
+    const Points moved = warp(ahead);
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        const Mat3 jacobian =
+            (moved.middleCols<3>(4 * i + 1).colwise() - moved.col(4 * i)) / kStep;
+        if (jacobian.determinant() < kLeast) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Landmarks first, then the front of the head bent onto the scan between them. A bend that would
+/// fold is made stiffer.
+HeadWarps fit_head(const FaceModel& face) {
+    constexpr int kSamples = 30000;
+    constexpr double kOnScan = 2.0;  // [mm] a point further off carries nothing
+    constexpr Eigen::Index kCentres = 700;
+    const Pairs pairs = common_landmarks(face.landmarks);
+    Points in_pose(3, pairs.scan.cols());
+    for (Eigen::Index i = 0; i < in_pose.cols(); ++i) {
+        in_pose.col(i) = face.to_generic(Vec3(pairs.scan.col(i)));
+    }
+    HeadWarps warps;
+    warps.from_average = SmoothWarp(pairs.generic, in_pose, pairs.errors, kWarpSoftness);
+    warps.to_average = SmoothWarp(in_pose, pairs.generic, pairs.errors, kWarpSoftness);
+    const SurfaceSamples samples =
+        sample_surface(around_face(face.skin.mesh, face.to_generic), kSamples);
+    if (samples.points.cols() < 500) {
+        return warps;
+    }
+    Pins pins;
+    pins.from = warps.from_average(pairs.generic);
+    pins.to = in_pose;
+    pins.softness = (kWarpSoftness * pairs.errors.cwiseAbs2()).cwiseMax(0.05);
+    const DenseFit dense = bend_onto(samples, warps.from_average, pins);
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index i = 0; i < dense.points.cols() && static_cast<Eigen::Index>(kept.size()) < kCentres;
+         ++i) {
+        if (dense.distance[i] < kOnScan) {
+            kept.push_back(i);
+        }
+    }
+    const auto n = static_cast<Eigen::Index>(kept.size());
+    const Eigen::Index held = in_pose.cols();
+    Points generic(3, n + held);
+    Points scan(3, n + held);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        generic.col(k) = face_template().points.col(kept[static_cast<std::size_t>(k)]);
+        scan.col(k) = dense.points.col(kept[static_cast<std::size_t>(k)]);
+    }
+    generic.rightCols(held) = pairs.generic;
+    scan.rightCols(held) = in_pose;
+    for (const double stiffness : {0.3, 3.0, 30.0}) {
+        Eigen::VectorXd softness(n + held);
+        softness << Eigen::VectorXd::Constant(n, stiffness), pins.softness;
+        HeadWarps bent{WarpCentres(scan, softness).towards(generic),
+                       WarpCentres(generic, softness).towards(scan)};
+        if (keeps_sense(bent.from_average)) {
+            return bent;
+        }
+    }
+    return warps;
+}
+
 /// Nodes of an open mouth that face each other across the slit.
 std::vector<std::pair<int, int>> find_lip_contacts(const FaceModel& face) {
     std::vector<int> upper;
@@ -271,6 +354,10 @@ std::vector<signed char> find_lip_sides(const FaceModel& face) {
 
 }  // namespace
 
+Vec3 from_generic(const FaceModel& face, const Vec3& p) {
+    return face.to_generic.inverse()(face.from_generic(p));
+}
+
 FileFrame frame_from_landmarks(const LandmarkFile& file, std::optional<double> mm_per_unit,
                                std::optional<Mat3> axes) {
     Landmarks landmarks = file.landmarks;
@@ -333,15 +420,11 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     face->area = vertex_areas(mesh);
     report("Fitting the face", 0.2);
 
-    const Pairs pairs = common_landmarks(face->landmarks);
-    Points in_pose(3, pairs.scan.cols());
-    for (Eigen::Index i = 0; i < in_pose.cols(); ++i) {
-        in_pose.col(i) = face->to_generic(Vec3(pairs.scan.col(i)));
-    }
-    const SmoothWarp to_average(in_pose, pairs.generic, pairs.errors, kWarpSoftness);
-    const SmoothWarp from_average(pairs.generic, in_pose, pairs.errors, kWarpSoftness);
+    const HeadWarps warps = fit_head(*face);
     const Mat3 turn = face->to_generic.scale * face->to_generic.rotation;
-    face->generic = to_average(Points((turn * mesh.vertices).colwise() + face->to_generic.shift));
+    face->generic =
+        warps.to_average(Points((turn * mesh.vertices).colwise() + face->to_generic.shift));
+    face->from_generic = warps.from_average;
     report("Fitting the face", 0.5);
 
     const Points normals = vertex_normals(mesh, *face->adjacency);
@@ -358,11 +441,11 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     face->sliding = sliding_surfaces(mesh, *face->adjacency, smooth_normals);
     report("Fitting the face", 0.7);
 
-    const Similarity back = face->to_generic.inverse();
-    place_muscles(*face, smooth_normals, [&](const Vec3& p) { return back(from_average(p)); });
+    const auto onto_scan = [&](const Vec3& p) { return from_generic(*face, p); };
+    place_muscles(*face, smooth_normals, onto_scan);
     label_skin(*face);
     report("Fitting the face", 0.85);
-    place_skull(*face, [&](const Vec3& p) { return back(from_average(p)); });
+    place_skull(*face, onto_scan);
     face->lip_contacts = find_lip_contacts(*face);
     face->lip_side = find_lip_sides(*face);
     report("Fitting the face", 1.0);

@@ -35,23 +35,47 @@ Similarity fit_similarity(const Points& from, const Points& to, const Eigen::Vec
     return result;
 }
 
+namespace {
+
+Eigen::MatrixXd warp_system(const Points& centres, const Eigen::VectorXd& softness) {
+    const Eigen::Index n = centres.cols();
+    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 4, n + 4);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) {  // conditionally positive definite
+            system(i, j) = system(j, i) = -(centres.col(i) - centres.col(j)).norm();
+        }
+        system(i, i) += softness[i];
+        system(i, n) = system(n, i) = 1.0;
+        system.block<1, 3>(i, n + 1) = centres.col(i).transpose();
+        system.block<3, 1>(n + 1, i) = centres.col(i);
+    }
+    return system;
+}
+
+Eigen::MatrixX3d warp_targets(const Points& to) {
+    Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(to.cols() + 4, 3);
+    right.topRows(to.cols()) = to.transpose();
+    return right;
+}
+
+}  // namespace
+
 SmoothWarp::SmoothWarp(const Points& from, const Points& to, const Eigen::VectorXd& errors,
                        double stiffness)
     : centres_(from) {
-    const Eigen::Index n = from.cols();
-    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 4, n + 4);
-    Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n + 4, 3);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        for (Eigen::Index j = 0; j < n; ++j) {
-            system(i, j) = -(from.col(i) - from.col(j)).norm();  // conditionally positive definite
-        }
-        system(i, i) += stiffness * errors[i] * errors[i];
-        system(i, n) = system(n, i) = 1.0;
-        system.block<1, 3>(i, n + 1) = from.col(i).transpose();
-        system.block<3, 1>(n + 1, i) = from.col(i);
-        right.row(i) = to.col(i).transpose();
-    }
-    coefficients_ = system.fullPivLu().solve(right);
+    // Landmarks may coincide: every pivot is looked for.
+    const Eigen::MatrixXd system = warp_system(from, stiffness * errors.cwiseAbs2());
+    coefficients_ = system.fullPivLu().solve(warp_targets(to));
+}
+
+WarpCentres::WarpCentres(const Points& centres, const Eigen::VectorXd& softness)
+    : centres_(centres), solver_(warp_system(centres, softness)) {}
+
+SmoothWarp WarpCentres::towards(const Points& to) const {
+    SmoothWarp warp;
+    warp.centres_ = centres_;
+    warp.coefficients_ = solver_.solve(warp_targets(to));
+    return warp;
 }
 
 Vec3 SmoothWarp::operator()(const Vec3& x) const {

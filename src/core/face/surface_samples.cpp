@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "myoface/base/parallel.h"
 
 namespace myoface {
 
@@ -16,6 +20,7 @@ SurfaceSamples sample_surface(const TriangleMesh& mesh, int count) {
     samples.points.resize(3, count);
     samples.normals.resize(3, count);
     const double step = total / count;
+    samples.area = 0.5 * step;
     double next = 0.5 * step;
     double passed = 0.0;
     int n = 0;
@@ -39,6 +44,65 @@ SurfaceSamples sample_surface(const TriangleMesh& mesh, int count) {
     samples.points.conservativeResize(3, n);
     samples.normals.conservativeResize(3, n);
     return samples;
+}
+
+Eigen::VectorXd relief(const SurfaceSamples& samples, double reach) {
+    const Eigen::Index n = samples.points.cols();
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(n);
+    if (n == 0) {
+        return result;
+    }
+    // Samples sorted by cell; three cells along x are one run.
+    const Vec3 low = samples.points.rowwise().minCoeff();
+    const auto key = [](const Eigen::Array3d& at) {
+        const auto part = [](double x) {
+            return static_cast<std::uint64_t>(std::clamp(x + 1.0, 0.0, 1e6));
+        };
+        return part(at.x()) | part(at.y()) << 20 | part(at.z()) << 40;
+    };
+    const auto cell = [&](Eigen::Index i) -> Eigen::Array3d {
+        return ((samples.points.col(i) - low) / reach).array().floor();
+    };
+    // About sixty neighbours tell as much as all.
+    constexpr double kNeighbours = 60.0;
+    const double all = std::numbers::pi * reach * reach / std::max(samples.area, 1e-12);
+    const auto stride =
+        std::clamp<Eigen::Index>(static_cast<Eigen::Index>(all / kNeighbours), 1, 64);
+    std::vector<std::pair<std::uint64_t, int>> cells;
+    for (Eigen::Index i = 0; i < n; i += stride) {
+        cells.emplace_back(key(cell(i)), static_cast<int>(i));
+    }
+    std::sort(cells.begin(), cells.end());
+    parallel_for(static_cast<int>(n), 256, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            const Vec3 p = samples.points.col(i);
+            const Vec3 own = samples.normals.col(i);
+            const Eigen::Array3d at = cell(i);
+            Vec3 normal = Vec3::Zero();
+            Vec3 middle = Vec3::Zero();
+            double count = 0.0;
+            for (int dz = -1; dz <= 1; ++dz) {
+                for (int dy = -1; dy <= 1; ++dy) {
+                    const std::uint64_t first = key(at + Eigen::Array3d(-1, dy, dz));
+                    auto entry = std::lower_bound(cells.begin(), cells.end(), std::pair(first, -1));
+                    for (; entry != cells.end() && entry->first <= first + 2; ++entry) {
+                        const int k = entry->second;
+                        // The other side of a thin sheet does not count.
+                        if ((samples.points.col(k) - p).squaredNorm() < reach * reach &&
+                            own.dot(samples.normals.col(k)) > 0.0) {
+                            normal += samples.normals.col(k);
+                            middle += samples.points.col(k);
+                            count += 1.0;
+                        }
+                    }
+                }
+            }
+            if (count > 0.0) {
+                result[i] = normal.normalized().dot(p - middle / count);
+            }
+        }
+    });
+    return result;
 }
 
 NearestTable::NearestTable(const Points& points, double cell, int reach) {

@@ -10,8 +10,13 @@ namespace myoface {
 /// Points spread evenly over the area of a mesh, with the normals of their triangles.
 struct SurfaceSamples {
     Points points, normals;  ///< 3×N
+    double area = 0.0;       ///< that each stands for [unit of the points, squared]
 };
 SurfaceSamples sample_surface(const TriangleMesh& mesh, int count);
+
+/// How far each sample stands above the samples around it: mean over those within `reach` of its
+/// height over them along the mean normal there [unit of the points]; below 0 in creases.
+Eigen::VectorXd relief(const SurfaceSamples& samples, double reach);
 
 /// Finds a sample near a place fast: for every cell of a grid the sample closest to it, known as
 /// far as `reach` cells away from the samples.

@@ -37,7 +37,7 @@ Vec3 contour_shift(std::span<const ContourHandle> handles, const Vec3& p) {
 }
 
 std::span<const ContourHandle> average_contour() {
-    static const std::array<ContourHandle, 14> kHandles{{
+    static const std::array<ContourHandle, 25> kHandles{{
         {{0, -37, 99}, 25, {0, 0, 5.5}},   // upper lip over the front teeth
         {{0, -42, 100}, 17, {0, 0, 2.4}},  // above the red of the lip
         {{32, -43, 84}, 32, {0, 0, 5}},    // beside the mouth
@@ -52,6 +52,19 @@ std::span<const ContourHandle> average_contour() {
         {{60, -28, 26}, 42, {6, 0, 1}},    // masseter
         {{66, 38, 24}, 50, {6, 0, 2}},     // temple, between orbit and ear
         {{38, -20, 78}, 30, {0, 0, 1.5}},  // cheek
+        // The cornea stands well before the outer canthus, the inner canthus in a hollow behind it.
+        {{33, 17, 80}, 38, {0, 0, 6.5}},
+        {{17, 16, 86}, 16, {0, 0, -5.5}},
+        {{13, 15.5, 88}, 14, {0, 0, -1.5}},
+        {{46, 17, 76}, 16, {0, 0, -3}},
+        {{57, 8, 64}, 34, {1.5, 0, 5}},  // cheekbone beside the orbit
+        {{28, 2, 82}, 22, {0, 0, 2.5}},  // below the lower lid
+        // The corner of the mouth lies in a hollow between the cheek and the chin.
+        {{28, -52, 88}, 34, {0, 0, 2.5}},
+        {{22, -40, 92}, 22, {0, 0, 2.5}},
+        {{22, -66, 88}, 24, {0, 0, 2.5}},
+        {{40, -56, 80}, 30, {0, 0, 3}},
+        {{25, -52.2, 90}, 11, {0, 0, -5}},
     }};
     return kHandles;
 }

@@ -173,6 +173,13 @@ HeadField::HeadField()
                           {19, -54, 2.2, -.5},
                           {24, -52.7, .9, -.9}},
                          true);
+    lip_groove_ = snapped({{0, -52, .3, 2.4},
+                           {6, -51.8, .4, 2.4},
+                           {13, -51.95, .4, 1.7},
+                           {18, -52, .4, 1.1},
+                           {21.5, -52.1, .3, 1.5},
+                           {24.5, -52.2, .1, 3.0}},
+                          true);
 }
 
 double HeadField::base(const Vec3& p) const {
@@ -346,6 +353,7 @@ double HeadField::primitives(const Vec3& q) const {
         // Each lip blends with the skin for itself. Where they meet only a shallow groove is left:
         // the mesh is slit there, and no triangle must dive into a crease.
         d = smooth_min(with_tube(d, q, upper_lip_, 4.2), with_tube(d, q, lower_lip_, 4.2), 1.2);
+        d = without_tube(d, q, lip_groove_, 4.0);
     }
     return smooth_max(d, kNeckCut - q.y(), 16.0);
 }

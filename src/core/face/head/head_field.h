@@ -73,7 +73,7 @@ private:
     Spline ridge_z_, ridge_slope_, ridge_round_;
     Spline upper_lid_, lower_lid_, lip_line_;
     Tube mandible_, brow_, sternomastoid_, alar_groove_, lid_crease_, helix_, antihelix_;
-    Tube upper_lip_, lower_lip_, philtral_column_, philtral_groove_, nasolabial_;
+    Tube upper_lip_, lower_lip_, lip_groove_, philtral_column_, philtral_groove_, nasolabial_;
 };
 
 }  // namespace myoface
