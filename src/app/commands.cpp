@@ -58,4 +58,11 @@ void ReshapeCommand::apply(const Points& values) {
     m_document.setSkinRest(rest);
 }
 
+SetLandmarksCommand::SetLandmarksCommand(FaceDocument& document, Landmarks landmarks,
+                                         const QString& text)
+    : QUndoCommand(text),
+      m_document(document),
+      m_before(document.landmarks()),
+      m_after(std::move(landmarks)) {}
+
 }  // namespace myoface

@@ -47,4 +47,17 @@ private:
     Points m_before, m_after;
 };
 
+/// Other landmarks; the face is fitted anew.
+class SetLandmarksCommand final : public QUndoCommand {
+public:
+    SetLandmarksCommand(FaceDocument& document, Landmarks landmarks, const QString& text);
+
+    void undo() override { m_document.setLandmarks(m_before); }
+    void redo() override { m_document.setLandmarks(m_after); }
+
+private:
+    FaceDocument& m_document;
+    Landmarks m_before, m_after;
+};
+
 }  // namespace myoface

@@ -13,6 +13,7 @@ void FaceDocument::setFace(std::shared_ptr<const OpenedFace> opened,
     m_model = std::move(model);
     m_contractions = contractions;
     m_skinRest = skinRest;
+    m_landmarks = m_opened && m_opened->landmarks ? *m_opened->landmarks : Landmarks();
     Q_EMIT faceChanged();
 }
 
@@ -24,6 +25,15 @@ void FaceDocument::setRate(int muscle, double rate) {
 void FaceDocument::setSkinRest(const Points& skinRest) {
     m_skinRest = skinRest;
     Q_EMIT skinRestChanged();
+}
+
+void FaceDocument::setLandmarks(const Landmarks& landmarks) {
+    m_landmarks = landmarks;
+    Q_EMIT landmarksChanged();
+}
+
+void FaceDocument::setModel(std::shared_ptr<const FaceModel> model) {
+    m_model = std::move(model);
 }
 
 }  // namespace myoface

@@ -26,22 +26,30 @@ public:
     const std::shared_ptr<const FaceModel>& model() const { return m_model; }
     const Contractions& contractions() const { return m_contractions; }
     const Points& skinRest() const { return m_skinRest; }
+    /// As they were found, opened, or placed since.
+    const Landmarks& landmarks() const { return m_landmarks; }
     QUndoStack* undoStack() { return &m_undoStack; }
 
     // For commands.
     void setRate(int muscle, double rate);
     void setSkinRest(const Points& skinRest);
+    void setLandmarks(const Landmarks& landmarks);
+
+    /// The same scan fitted anew; the history goes on.
+    void setModel(std::shared_ptr<const FaceModel> model);
 
 Q_SIGNALS:
     void faceChanged();
     void rateChanged(int muscle, double rate);
     void skinRestChanged();
+    void landmarksChanged();
 
 private:
     std::shared_ptr<const OpenedFace> m_opened;
     std::shared_ptr<const FaceModel> m_model;
     Contractions m_contractions;
     Points m_skinRest;
+    Landmarks m_landmarks;
     QUndoStack m_undoStack;
 };
 

@@ -124,11 +124,46 @@ std::optional<RayHit> FaceView::hitAt(const QPointF& at) {
 void FaceView::updateCursor(bool onSkin) {
     if (m_pickMode) {
         setCursor(onSkin ? Qt::CrossCursor : Qt::ArrowCursor);
-    } else if (m_action == Action::Grip) {
+    } else if (m_action == Action::Grip || m_action == Action::Handle) {
         setCursor(Qt::ClosedHandCursor);
     } else {
         setCursor(onSkin && m_tool != Tool::Navigate ? Qt::OpenHandCursor : Qt::ArrowCursor);
     }
+}
+
+int FaceView::handleAt(const QPointF& at) {
+    constexpr double kReach = 11.0;   // [px]
+    constexpr double kHidden = 12.0;  // [mm] behind the skin
+    int best = -1;
+    double nearest = kReach;
+    for (std::size_t i = 0; i < m_handles.size(); ++i) {
+        const PixelPoint p = project(m_camera, m_handles[i], width(), height());
+        const double off = std::hypot(p.x - at.x(), p.y - at.y());
+        if (off < nearest) {
+            const auto hit = hitAt({p.x, p.y});
+            const ViewRay ray = rayAt({p.x, p.y});
+            if (!hit || (m_handles[i] - ray.origin).dot(ray.direction) < hit->distance + kHidden) {
+                nearest = off;
+                best = static_cast<int>(i);
+            }
+        }
+    }
+    return best;
+}
+
+void FaceView::bringIntoView(const Vec3& point) {
+    const auto hit = hitAt([&] {
+        const PixelPoint p = project(m_camera, point, width(), height());
+        return QPointF(p.x, p.y);
+    }());
+    const bool seen = hit && (position(m_skin, hit->where) - point).norm() < 8.0;
+    if (!seen) {
+        const Vec3 side = point - m_homeCentre;
+        showStandardView(std::abs(side.x()) < 25.0 ? QStringLiteral("front")
+                         : side.x() > 0.0          ? QStringLiteral("three-quarter-left")
+                                                   : QStringLiteral("three-quarter-right"));
+    }
+    update();
 }
 
 void FaceView::mousePressEvent(QMouseEvent* event) {
@@ -146,6 +181,10 @@ void FaceView::mousePressEvent(QMouseEvent* event) {
         m_action = Action::Orbit;
         if (m_pickMode) {
             m_action = Action::MaybePick;
+        } else if (m_handle = turn ? -1 : handleAt(m_last); m_handle >= 0) {
+            m_action = Action::Handle;
+            m_handleMoved = false;
+            Q_EMIT handlePressed(m_handle);
         } else if (m_tool != Tool::Navigate && !turn) {
             if (const auto hit = hitAt(m_last)) {
                 m_action = Action::Grip;
@@ -177,6 +216,13 @@ void FaceView::mouseMoveEvent(QMouseEvent* event) {
         case Action::Grip:
             Q_EMIT pulled(rayAt(at));
             break;
+        case Action::Handle:
+            if (const auto hit = hitAt(at)) {
+                m_handleAt = hit->where;
+                m_handleMoved = true;
+                Q_EMIT handleMoved(m_handle, m_handleAt);
+            }
+            break;
         default: {
             const std::optional<RayHit> hit = hitAt(at);
             updateCursor(hit.has_value());
@@ -191,7 +237,11 @@ void FaceView::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     m_action = Action::None;
-    if (action == Action::Grip) {
+    if (action == Action::Handle) {
+        if (m_handleMoved) {
+            Q_EMIT handleDropped(m_handle, m_handleAt);
+        }
+    } else if (action == Action::Grip) {
         Q_EMIT released(true);
     } else if (action == Action::MaybePick) {
         if (const auto hit = hitAt(event->localPos())) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QOpenGLWidget>
 
@@ -37,6 +38,10 @@ public:
     Tool tool() const { return m_tool; }
     /// Clicks on the skin are reported instead of gripping.
     void setPickMode(bool on);
+    /// Places that the left button takes hold of before anything else, to move them on the skin.
+    void setHandles(std::vector<Vec3> handles) { m_handles = std::move(handles); }
+    /// Turns the camera so that a place on the skin is seen from before it, if it is not.
+    void bringIntoView(const Vec3& point);
 
     const Camera& camera() const { return m_camera; }
     void showStandardView(const QString& name);
@@ -53,6 +58,9 @@ Q_SIGNALS:
     void pickCancelled();
     /// The mouse rests over this line of sight, and over this place of the skin or none.
     void hovered(const myoface::ViewRay& ray, const std::optional<myoface::SurfacePoint>& where);
+    void handlePressed(int handle);
+    void handleMoved(int handle, const myoface::SurfacePoint& where);
+    void handleDropped(int handle, const myoface::SurfacePoint& where);
     void drawingFailed(const QString& sentence);
     void beforeHeld(bool held);
 
@@ -68,11 +76,13 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-    enum class Action { None, Orbit, Pan, Grip, MaybePick };
+    enum class Action { None, Orbit, Pan, Grip, MaybePick, Handle };
 
     ViewRay rayAt(const QPointF& at) const;
     std::optional<RayHit> hitAt(const QPointF& at);
     void updateCursor(bool onSkin);
+    /// Number of the handle under a pixel that the skin does not hide, or -1.
+    int handleAt(const QPointF& at);
     void releaseRenderer();
 
     FaceScene* m_scene = nullptr;
@@ -84,6 +94,10 @@ private:
     Tool m_tool = Tool::Shape;
     Action m_action = Action::None;
     bool m_pickMode = false;
+    std::vector<Vec3> m_handles;
+    int m_handle = -1;
+    SurfacePoint m_handleAt;
+    bool m_handleMoved = false;
     QPointF m_last, m_pressed;
     Vec3 m_homeCentre = Vec3::Zero();
     double m_homeRadius = 130.0;

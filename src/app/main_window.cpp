@@ -25,7 +25,9 @@
 #include "myoface/scene/muscle_drawing.h"
 
 #include "commands.h"
+#include "landmark_editor.h"
 #include "landmark_guide.h"
+#include "landmark_panel.h"
 #include "layer_panel.h"
 #include "muscle_panel.h"
 #include "open_job.h"
@@ -148,6 +150,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     });
 }
 
+bool MainWindow::settled() const {
+    return m_settled && !m_job && !m_landmarkEditor->fitting();
+}
+
 MainWindow::~MainWindow() {
     m_job.reset();
     m_thread.quit();
@@ -173,6 +179,16 @@ void MainWindow::buildDocks() {
     auto* layers = dock(tr("Layers"), QStringLiteral("layers"), m_layers, Qt::LeftDockWidgetArea);
     auto* scan = dock(tr("Scan"), QStringLiteral("scan"), m_scanPanel, Qt::LeftDockWidgetArea);
     splitDockWidget(layers, scan, Qt::Vertical);
+    m_landmarks = new LandmarkPanel;
+    m_landmarks->setMinimumWidth(250);
+    auto* landmarks =
+        dock(tr("Landmarks"), QStringLiteral("landmarks"), m_landmarks, Qt::LeftDockWidgetArea);
+    tabifyDockWidget(scan, landmarks);
+    scan->raise();
+    m_landmarkEditor = new LandmarkEditor(m_document, *m_view, *m_landmarks, this);
+    connect(m_landmarkEditor, &LandmarkEditor::changed, this, &MainWindow::drawOver);
+    connect(m_landmarkEditor, &LandmarkEditor::fitted, this, &MainWindow::showRefitted);
+    connect(m_landmarkEditor, &LandmarkEditor::problem, this, &MainWindow::complain);
     resizeDocks({layers, scan}, {190, 500}, Qt::Vertical);
     m_layers->setEnabled(false);
     m_muscles->setEnabled(false);
@@ -458,6 +474,7 @@ void MainWindow::showFace(OpenResult& result) {
         statusBar()->showMessage(
             tr("This scan has no landmarks yet: click the points above, or open a landmark file."));
     }
+    m_landmarkEditor->setFace(std::move(result.net));
     m_layers->setEnabled(model != nullptr);
     m_muscles->setEnabled(model != nullptr);
     m_scene->set_layers(m_layers->layers());
@@ -542,7 +559,11 @@ void MainWindow::saveCase() {
             state =
                 case_state(*m_document.model(), m_document.contractions(), m_document.skinRest());
         }
-        write_case(path.toStdString(), *m_document.opened(), state);
+        OpenedFace face = *m_document.opened();
+        if (!m_document.landmarks().empty()) {
+            face.landmarks = m_document.landmarks();
+        }
+        write_case(path.toStdString(), face, state);
         m_document.undoStack()->setClean();
         rememberRecent(path);
         statusBar()->showMessage(tr("Saved: %1").arg(path), 6000);
@@ -598,11 +619,36 @@ void MainWindow::showSnapshot() {
                              .arg(snapshot->report.max_displacement_mm, 0, 'f', 1)
                              .arg(snapshot->report.converged ? tr("at rest") : tr("moving")));
     }
+    m_landmarkEditor->draw(scene, snapshot->positions);
     m_view->update();
     if (snapshot->report.converged && !snapshot->dragging) {
         m_settled = true;
         Q_EMIT cameToRest();
     }
+}
+
+/// Redraws what lies over the face, without waiting for the next step of the simulation.
+void MainWindow::drawOver() {
+    if (!m_scene || !m_document.model() || !m_shown || m_shown->dragging) {
+        return;
+    }
+    m_scene->scene().markers.clear();
+    m_scene->scene().strokes = {};
+    m_landmarkEditor->draw(m_scene->scene(), m_shown->positions);
+    m_view->update();
+}
+
+/// The same scan with muscles and bone where the moved landmarks put them.
+void MainWindow::showRefitted(FitJob& job) {
+    m_document.setModel(job.model());
+    const FaceMassSpring& system = job.simulator()->system();
+    m_springs = static_cast<int>(system.model.springs.size());
+    m_scene->set_face(job.model(), system.model.springs, system.chains);
+    m_scene->set_layers(m_layers->layers());
+    m_scene->cut_away(m_layers->cutAway());
+    m_scanPanel->setFace(*m_document.opened(), job.model().get(), m_springs);
+    auto holder = std::make_shared<std::unique_ptr<Simulator>>(std::move(job.simulator()));
+    inWorker([holder](SimulationWorker& w) { w.setSimulator(std::move(*holder)); });
 }
 
 void MainWindow::dragFinished(const std::shared_ptr<const DragOutcome>& outcome) {

@@ -15,7 +15,10 @@
 
 namespace myoface {
 
+class FitJob;
+class LandmarkEditor;
 class LandmarkGuide;
+class LandmarkPanel;
 class LayerPanel;
 class MusclePanel;
 class OpenJob;
@@ -38,8 +41,9 @@ public:
     FaceDocument& document() { return m_document; }
     FaceView& view() { return *m_view; }
     MusclePanel& muscles() { return *m_muscles; }
+    LandmarkPanel& landmarks() { return *m_landmarks; }
     /// At rest: nothing opens and the newest state has been shown.
-    bool settled() const { return m_settled && !m_job; }
+    bool settled() const;
     const QString& lastProblem() const { return m_lastProblem; }
     void setRates(const std::string& muscle, double rate);
     /// Adds an expression to what the muscles do. @throws InvalidInput for an unknown name
@@ -73,6 +77,8 @@ private:
     void saveCase();
     void savePicture();
     void landmarksPlaced();
+    void showRefitted(FitJob& job);
+    void drawOver();
     void showSnapshot();
     void dragFinished(const std::shared_ptr<const DragOutcome>& outcome);
     void resetFace();
@@ -96,6 +102,8 @@ private:
     ScanPanel* m_scanPanel = nullptr;
     ScanFrameEditor* m_frameEditor = nullptr;
     LandmarkGuide* m_guide = nullptr;
+    LandmarkPanel* m_landmarks = nullptr;
+    LandmarkEditor* m_landmarkEditor = nullptr;
     QLabel* m_state = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton* m_cancel = nullptr;

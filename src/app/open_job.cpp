@@ -38,6 +38,7 @@ void OpenJob::run() {
             std::make_shared<OpenedFace>(open_face(m_path.toStdString(), m_options, &m_progress));
         if (find_missing_landmarks(*opened, &m_progress)) {
             m_result.simulator = make_simulator(*opened, {}, &m_progress);
+            m_result.net = fitted_net(m_result.simulator->face());
         }
         m_result.opened = std::move(opened);
     } catch (const std::bad_alloc&) {

@@ -16,6 +16,7 @@ namespace myoface {
 struct OpenResult {
     std::shared_ptr<const OpenedFace> opened;
     std::unique_ptr<Simulator> simulator;
+    FittedNet net;
     QString problem;  ///< one sentence; empty when all went well
 };
 

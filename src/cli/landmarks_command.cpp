@@ -20,7 +20,7 @@ void add_landmarks(CLI::App& app) {
         const OpenedFace face = arguments->open();
         const DetectedLandmarks found =
             detect_landmarks(face.scan->mesh, face.pose ? &*face.pose : nullptr);
-        write_text(*output, landmarks_to_json(found.landmarks, face.scan->frame));
+        write_text(*output, landmarks_to_json(found.landmarks, face.scan->frame, found.confidence));
     });
 }
 

@@ -108,7 +108,7 @@ void Renderer::initialise() {
     background_program_ = link("background");
     marker_program_ = link("marker");
     glGenVertexArrays(1, &empty_array_);
-    topology_ = motion_ = ~std::uint64_t{0};
+    topology_ = motion_ = net_version_ = ~std::uint64_t{0};
 }
 
 void Renderer::release() {
@@ -199,6 +199,10 @@ void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int
         }
         upload(lines_[1], scene.strokes);
     }
+    if (scene.net_version != net_version_) {
+        upload(lines_[2], scene.net);
+        net_version_ = scene.net_version;
+    }
     topology_ = scene.topology;
     motion_ = scene.motion;
 
@@ -229,6 +233,9 @@ void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int
     if (layers[2]->opacity >= 1.0F) {
         draw_lines(lines_[0], scene.springs);
     }
+    glDepthRange(0.0, 0.995);  // what lies under the skin by little is not lost
+    draw_lines(lines_[2], scene.net);
+    glDepthRange(0.0, 1.0);
     glDisable(GL_DEPTH_TEST);
     LineLayer strokes_state;
     strokes_state.opacity = 1.0F;

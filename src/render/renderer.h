@@ -50,7 +50,8 @@ private:
     unsigned empty_array_ = 0;
     unsigned marker_array_ = 0, marker_buffer_ = 0;
     std::array<Surface, 3> surfaces_;
-    std::array<Lines, 2> lines_;
+    std::array<Lines, 3> lines_;
+    std::uint64_t net_version_ = 0;
     std::uint64_t topology_ = ~std::uint64_t{0};
     std::uint64_t motion_ = ~std::uint64_t{0};
     Eigen::Matrix4f view_, projection_;

@@ -56,8 +56,11 @@ int main(int argc, char** argv) {
                     (at->second.position - scan.truth.at(name).position).norm() * scan.unit;
                 errors.push_back(error);
                 if (error > 5.0) {
-                    const Vec3 off = scan.unit * (scan.turn.transpose() * (at->second.position - scan.truth.at(name).position));
-                    std::printf("    %d %s %.1f: %.1f %.1f %.1f (%s)\n", first + k, name, error, off.x(), off.y(), off.z(), scan.story.c_str());
+                    const Vec3 off =
+                        scan.unit * (scan.turn.transpose() *
+                                     (at->second.position - scan.truth.at(name).position));
+                    std::printf("    %d %s %.1f: %.1f %.1f %.1f (%s)\n", first + k, name, error,
+                                off.x(), off.y(), off.z(), scan.story.c_str());
                 }
                 kinds[std::string(name).substr(0, std::string(name).find('_'))].push_back(error);
                 within += error < 2.0 * at->second.error_mm * scan.unit ? 1 : 0;
@@ -78,11 +81,12 @@ int main(int argc, char** argv) {
             std::printf("%d: refused (%s)\n", first + k, scan.story.c_str());
         }
     }
-    std::printf("%d people: median %.2f mm, 90 %% %.2f mm, 95 %% %.2f mm; %.1f %% within twice the "
-                "stated error; %d refused, %d wrong poses of which %d flagged; %.2f s each\n",
-                people, share_at(all, 0.5), share_at(all, 0.9), share_at(all, 0.95),
-                100.0 * within / std::max<double>(1.0, static_cast<double>(all.size())), refused,
-                wrong, flagged, seconds / people);
+    std::printf(
+        "%d people: median %.2f mm, 90 %% %.2f mm, 95 %% %.2f mm; %.1f %% within twice the "
+        "stated error; %d refused, %d wrong poses of which %d flagged; %.2f s each\n",
+        people, share_at(all, 0.5), share_at(all, 0.9), share_at(all, 0.95),
+        100.0 * within / std::max<double>(1.0, static_cast<double>(all.size())), refused, wrong,
+        flagged, seconds / people);
     for (const auto& [kind, errors] : kinds) {
         std::printf("  %-4s median %.2f  95 %% %.2f\n", kind.c_str(), share_at(errors, 0.5),
                     share_at(errors, 0.95));

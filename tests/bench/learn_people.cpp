@@ -64,8 +64,9 @@ int main(int argc, char** argv) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(offsets * offsets.transpose() /
                                                                 (2 * people - 1));
     nlohmann::json file;
-    file["note"] = "Modes of variation of the built-in head's landmarks, one standard deviation "
-                   "each [mm], most important first; made by myoface-learn-people.";
+    file["note"] =
+        "Modes of variation of the built-in head's landmarks, one standard deviation "
+        "each [mm], most important first; made by myoface-learn-people.";
     const auto rounded = [](const Eigen::VectorXd& values) {
         nlohmann::json list = nlohmann::json::object();
         Eigen::Index i = 0;

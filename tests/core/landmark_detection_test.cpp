@@ -11,7 +11,11 @@
 #include "myoface/cases/case_file.h"
 #include "myoface/face/generic_face.h"
 #include "myoface/io/mesh_file.h"
+#include "myoface/muscle/expression.h"
+#include "myoface/sim/simulator.h"
 
+#include "no_faces.h"
+#include "spoiled_scan.h"
 #include "test_meshes.h"
 
 namespace myoface {
@@ -66,9 +70,51 @@ TEST(LandmarkDetection, FindsThoseOfOthersInAnyTurn) {
     EXPECT_LT(all[all.size() * 9 / 10], 6.0);
 }
 
+TEST(LandmarkDetection, FindsThemOnSpoiledScansAndKnowsHowWell) {
+    std::vector<double> all;
+    int within = 0;
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+        const test::SpoiledScan scan = test::spoiled_scan(seed);
+        const DetectedLandmarks found = detect_landmarks(scan.mesh);
+        EXPECT_GT(found.confidence, 0.5) << scan.story;
+        for (const char* name : {"prn", "sn", "en_l", "en_r", "ex_l", "ex_r", "ch_l", "ch_r", "ls",
+                                 "li", "sto", "pg"}) {
+            const auto at = found.landmarks.find(name);
+            ASSERT_NE(at, found.landmarks.end()) << name << ' ' << scan.story;
+            const double error =
+                scan.unit * (at->second.position - scan.truth.at(name).position).norm();
+            all.push_back(error);
+            within += error < 2.0 * scan.unit * at->second.error_mm ? 1 : 0;
+        }
+    }
+    std::sort(all.begin(), all.end());
+    EXPECT_LT(all[all.size() / 2], 1.5);
+    EXPECT_LT(all[all.size() * 95 / 100], 6.5);
+    EXPECT_GE(within, static_cast<int>(all.size() * 95 / 100));
+}
+
 TEST(LandmarkDetection, RefusesWhatIsNoFace) {
-    EXPECT_THROW(detect_landmarks(test::sphere(100.0, 40, 60)), InvalidInput);
-    EXPECT_THROW(detect_landmarks(test::grid(40, 5.0)), InvalidInput);
+    for (const test::NoFace& thing : test::no_faces()) {
+        EXPECT_THROW(detect_landmarks(thing.mesh), InvalidInput) << thing.name;
+    }
+}
+
+TEST(LandmarkDetection, SaysThatAnOpenMouthLeavesItUnsure) {
+    const auto face = test::small_model();
+    Simulator simulator(face);
+    std::vector<double> rates(face->muscles.size(), 0.0);
+    add_expression(rates, expression_named("jaw_open"), 1.0);
+    for (std::size_t m = 0; m < rates.size(); ++m) {
+        simulator.set_contraction(static_cast<int>(m), rates[m]);
+    }
+    simulator.step(300);
+    TriangleMesh mesh = face->scan->mesh;
+    mesh.vertices = simulator.scan_vertices();
+    const Landmarks open = detect_landmarks(mesh).landmarks;
+    const Landmarks closed = detect_landmarks(face->scan->mesh).landmarks;
+    EXPECT_GT(open.at("sto").error_mm, 2.0 * closed.at("sto").error_mm);
+    EXPECT_GT(open.at("pg").error_mm, 1.5 * closed.at("pg").error_mm);
+    EXPECT_NEAR(open.at("en_l").error_mm, closed.at("en_l").error_mm, 1.5);
 }
 
 TEST(LandmarkDetection, MakesAScanWithoutLandmarksAFace) {

@@ -97,8 +97,7 @@ std::vector<NoFace> no_faces() {
     add("mug", solid([](const Vec3& p) {
             const double cup = std::max(std::hypot(p.x(), p.z()) - 55.0, std::abs(p.y()) - 70.0);
             const double hole = std::max(std::hypot(p.x(), p.z()) - 48.0, -62.0 - p.y());
-            const double handle =
-                std::hypot(std::hypot(p.x() - 60.0, p.y()) - 35.0, p.z()) - 8.0;
+            const double handle = std::hypot(std::hypot(p.x() - 60.0, p.y()) - 35.0, p.z()) - 8.0;
             return std::min(std::max(cup, -hole), std::max(handle, 52.0 - p.x()));
         }));
     add("snowman", solid([](const Vec3& p) {
@@ -115,8 +114,8 @@ std::vector<NoFace> no_faces() {
             double d = egg(p, {0, -60, 0}, {48, 55, 18});
             for (int finger = 0; finger < 4; ++finger) {
                 const double x = -33.0 + 22.0 * finger;
-                d = joined(d, stick(p, {x, -20, 0}, {1.3 * x, 62.0 - std::abs(finger - 2) * 9.0, 6},
-                                    9.5));
+                d = joined(
+                    d, stick(p, {x, -20, 0}, {1.3 * x, 62.0 - std::abs(finger - 2) * 9.0, 6}, 9.5));
             }
             return joined(d, stick(p, {40, -70, 0}, {85, -15, 14}, 11));
         }));

@@ -113,8 +113,8 @@ SpoiledScan spoiled_scan(std::uint32_t seed) {
             const Vec3 p = scan.mesh.vertices.col(v);
             const double line = std::max(p.y() - hairline, -20.0 - p.z() - 0.5 * p.y());
             const double share = std::clamp(line / 15.0, 0.0, 1.0);
-            const double bump = 1.0 + std::sin(wave.x() * p.x() + wave.y() * p.y()) *
-                                          std::cos(wave.z() * p.z());
+            const double bump =
+                1.0 + std::sin(wave.x() * p.x() + wave.y() * p.y()) * std::cos(wave.z() * p.z());
             scan.mesh.vertices.col(v) += share * height * bump * p.normalized();
         }
         scan.story += ", hair";

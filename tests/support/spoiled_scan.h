@@ -14,7 +14,7 @@ namespace myoface::test {
 /// holes, cut edges, loose scraps, tufts of hair, a mild expression, in any turn and place.
 struct SpoiledScan {
     TriangleMesh mesh;
-    Landmarks truth;   ///< on the mesh, moved with it
+    Landmarks truth;    ///< on the mesh, moved with it
     double unit = 1.0;  ///< of the mesh [mm]
     Mat3 turn = Mat3::Identity();
     std::string story;  ///< what was done, for messages

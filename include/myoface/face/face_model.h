@@ -9,6 +9,7 @@
 
 #include "myoface/base/progress.h"
 #include "myoface/face/landmarks.h"
+#include "myoface/face/midplane.h"
 #include "myoface/face/muscle_atlas.h"
 #include "myoface/face/smooth_warp.h"
 #include "myoface/face/tissue.h"
@@ -84,6 +85,7 @@ struct FaceModel {
     /// Per skin node: 1 upper lip, -1 lower lip, 0 elsewhere, or everywhere where lips are fused.
     std::vector<signed char> lip_side;
     Mat3 axes = Mat3::Identity();  ///< columns: the face's left, up and front
+    Midplane midplane;
 
     int node_count() const { return skin.mesh.vertex_count(); }
 };
@@ -100,6 +102,15 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
 
 /// Where a place of the average head lies on this one [mm].
 Vec3 from_generic(const FaceModel& face, const Vec3& p);
+
+/// The average head's front as a net on this face, and how far the scan is from it.
+struct FittedNet {
+    Points points;                             ///< 3×N [mm]
+    Eigen::VectorXd distance;                  ///< N, to the scan [mm]
+    std::vector<std::pair<int, int>> threads;  ///< neighbours
+};
+/// @param spacing of the net on the average head [mm]
+FittedNet fitted_net(const FaceModel& face, double spacing = 4.0);
 
 /// Unit and axes of a scan as its landmarks imply them: the quarter turns nearest to the pose of
 /// the face and, where `mm_per_unit` is not known, the unit (snapped to a usual one within 20 %).

@@ -35,8 +35,9 @@ LandmarkFile read_landmarks(const std::filesystem::path& file);
 /// Writes landmarks in the scan file's own unit and axes. @throws IoError
 void write_landmarks(const std::filesystem::path& file, const Landmarks& landmarks,
                      const FileFrame& frame);
-/// The same as text.
-std::string landmarks_to_json(const Landmarks& landmarks, const FileFrame& frame);
+/// The same as text. @param confidence that they belong to a face, when they were found
+std::string landmarks_to_json(const Landmarks& landmarks, const FileFrame& frame,
+                              std::optional<double> confidence = {});
 /// @throws IoError, `name` in its words
 LandmarkFile landmarks_from_json(const std::string& text, const std::string& name);
 
@@ -47,6 +48,8 @@ Landmarks in_model_frame(const LandmarkFile& file, const FileFrame& frame);
 const std::vector<std::string>& landmark_names();
 /// English full name, "inner canthus (left)".
 std::string landmark_title(const std::string& name);
+/// What the point is and how it is found, in a sentence or two. @cite farkas_1994
+std::string landmark_definition(const std::string& name);
 /// The same landmark on the other side; midline names stay.
 std::string mirrored_name(const std::string& name);
 

@@ -50,6 +50,7 @@ struct SceneData {
     SurfaceLayer skin, muscles, bone;
     LineLayer springs;
     LineLayer strokes;  ///< drawn over everything: drag arrows, grip ring
+    LineLayer net;      ///< close to the skin and drawn before it; uploaded with `net_version`
     std::vector<Marker> markers;
     Eigen::Vector3f background_top{0.215F, 0.235F, 0.265F};
     Eigen::Vector3f background_bottom{0.085F, 0.095F, 0.11F};
@@ -58,6 +59,7 @@ struct SceneData {
     float cut_offset = 0.0F;  ///< [mm]
     Vec3 centre = Vec3::Zero();
     double radius = 200.0;  ///< of everything visible around the centre [mm]
+    std::uint64_t net_version = 0;
     std::uint64_t topology = 0;
     std::uint64_t motion = 0;
 };

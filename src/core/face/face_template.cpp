@@ -40,8 +40,8 @@ double ring_relief(const HeadField& head, const Vec3& p, double reach) {
     Vec3 sum = normal;
     for (int k = 0; k < kDirections; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / kDirections;
-        ring[static_cast<std::size_t>(k)] = head.onto_surface(
-            p + radius * (std::cos(angle) * along + std::sin(angle) * across));
+        ring[static_cast<std::size_t>(k)] =
+            head.onto_surface(p + radius * (std::cos(angle) * along + std::sin(angle) * across));
         sum += gradient(head, ring[static_cast<std::size_t>(k)]);
     }
     normal = sum.normalized();

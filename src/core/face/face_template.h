@@ -8,7 +8,7 @@ namespace myoface {
 /// The front of the average head as points, ordered so that any number of the first ones covers it
 /// evenly. Frame and unit of the generic face.
 struct FaceTemplate {
-    Points points, normals;   ///< 3×N
+    Points points, normals;  ///< 3×N
     /// N each: relief(), see there, over kFineReach and kCoarseReach [mm].
     Eigen::VectorXd fine_relief, coarse_relief;
     Eigen::VectorXd weights;  ///< N: less where faces differ (open or closed eyes) and at the rim

@@ -16,6 +16,7 @@
 
 #include "bone_placement.h"
 #include "face_template.h"
+#include "head/head_mesh.h"
 #include "muscle_placement.h"
 #include "registration.h"
 #include "sliding_surface.h"
@@ -198,8 +199,8 @@ struct HeadWarps {
 
 /// Whether a warp turns nothing inside out around the front of the head.
 bool keeps_sense(const SmoothWarp& warp) {
-    constexpr double kStep = 1.5;      // [mm]
-    constexpr double kLeast = 0.15;    // of the volume
+    constexpr double kStep = 1.5;    // [mm]
+    constexpr double kLeast = 0.15;  // of the volume
     const Points& points = face_template().points;
     Points ahead(3, 4 * points.cols());
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
@@ -210,8 +211,7 @@ bool keeps_sense(const SmoothWarp& warp) {
     }
     const Points moved = warp(ahead);
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
-        const Mat3 jacobian =
-            (moved.middleCols<3>(4 * i + 1).colwise() - moved.col(4 * i)) / kStep;
+        const Mat3 jacobian = (moved.middleCols<3>(4 * i + 1).colwise() - moved.col(4 * i)) / kStep;
         if (jacobian.determinant() < kLeast) {
             return false;
         }
@@ -244,8 +244,8 @@ HeadWarps fit_head(const FaceModel& face) {
     pins.softness = (kWarpSoftness * pairs.errors.cwiseAbs2()).cwiseMax(0.05);
     const DenseFit dense = bend_onto(samples, warps.from_average, pins);
     std::vector<Eigen::Index> kept;
-    for (Eigen::Index i = 0; i < dense.points.cols() && static_cast<Eigen::Index>(kept.size()) < kCentres;
-         ++i) {
+    for (Eigen::Index i = 0;
+         i < dense.points.cols() && static_cast<Eigen::Index>(kept.size()) < kCentres; ++i) {
         if (dense.distance[i] < kOnScan) {
             kept.push_back(i);
         }
@@ -270,6 +270,25 @@ HeadWarps fit_head(const FaceModel& face) {
         }
     }
     return warps;
+}
+
+/// From landmarks, then from the front of the face and its mirror image.
+Midplane find_midplane(const FaceModel& face, const Bvh& bvh) {
+    constexpr int kPoints = 2500;
+    std::vector<int> front;
+    for (int v = 0; v < face.node_count(); ++v) {
+        const Vec3 p = face.generic.col(v);
+        const bool mask = p.z() > 40.0 && std::abs(p.x()) < 62.0 && p.y() > -85.0 && p.y() < 60.0;
+        if (mask && face.tissue[static_cast<std::size_t>(v)].tissue == Tissue::Skin) {
+            front.push_back(v);
+        }
+    }
+    const auto stride = std::max<std::size_t>(1, front.size() / kPoints);
+    Points points(3, static_cast<Eigen::Index>((front.size() + stride - 1) / stride));
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        points.col(i) = face.skin.mesh.vertices.col(front[static_cast<std::size_t>(i) * stride]);
+    }
+    return refined(midplane_of(face.landmarks), face.skin.mesh, bvh, points);
 }
 
 /// Nodes of an open mouth that face each other across the slit.
@@ -356,6 +375,55 @@ std::vector<signed char> find_lip_sides(const FaceModel& face) {
 
 Vec3 from_generic(const FaceModel& face, const Vec3& p) {
     return face.to_generic.inverse()(face.from_generic(p));
+}
+
+FittedNet fitted_net(const FaceModel& face, double spacing) {
+    // Which points of the average head's front belong to the net: those of the template's reach.
+    constexpr double kHalfWidth = 64.0;
+    constexpr double kTop = 66.0;
+    constexpr double kBottom = -96.0;
+    constexpr double kSteepest = 4.0;  // of the spacing, from one point to the next
+    const HeadField& head = average_head();
+    const int columns = 2 * static_cast<int>(kHalfWidth / spacing) + 1;
+    const int rows = static_cast<int>((kTop - kBottom) / spacing) + 1;
+    Points front(3, static_cast<Eigen::Index>(columns) * rows);
+    parallel_for(rows, 1, [&](int begin, int end) {
+        for (int r = begin; r < end; ++r) {
+            for (int c = 0; c < columns; ++c) {
+                front.col(static_cast<Eigen::Index>(r) * columns + c) =
+                    head.front_point((c - columns / 2) * spacing, kTop - r * spacing);
+            }
+        }
+    });
+    FittedNet net;
+    net.points.resize(3, front.cols());
+    net.distance.resize(front.cols());
+    const Bvh bvh(face.skin.mesh);
+    const Similarity back = face.to_generic.inverse();
+    parallel_for(static_cast<int>(front.cols()), 64, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            net.points.col(i) = back(face.from_generic(Vec3(front.col(i))));
+            net.distance[i] = bvh.closest_point(face.skin.mesh, net.points.col(i)).distance;
+        }
+    });
+    const auto tie = [&](int a, int b) {
+        if ((front.col(a) - front.col(b)).norm() < kSteepest * spacing &&
+            std::min(front(2, a), front(2, b)) > 25.0) {
+            net.threads.emplace_back(a, b);
+        }
+    };
+    for (int r = 0; r < rows; ++r) {
+        for (int c = 0; c < columns; ++c) {
+            const int i = r * columns + c;
+            if (c + 1 < columns) {
+                tie(i, i + 1);
+            }
+            if (r + 1 < rows) {
+                tie(i, i + columns);
+            }
+        }
+    }
+    return net;
 }
 
 FileFrame frame_from_landmarks(const LandmarkFile& file, std::optional<double> mm_per_unit,
@@ -446,6 +514,7 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     label_skin(*face);
     report("Fitting the face", 0.85);
     place_skull(*face, onto_scan);
+    face->midplane = find_midplane(*face, bvh);
     face->lip_contacts = find_lip_contacts(*face);
     face->lip_side = find_lip_sides(*face);
     report("Fitting the face", 1.0);

@@ -143,9 +143,8 @@ DetectedLandmarks detect_landmarks(const TriangleMesh& mesh, const FacePose* kno
         const double share = near > 0 ? static_cast<double>(good) / near : 0.5;
         const double doubt = 1.0 + 2.0 * (1.0 - share) + 2.0 * (1.0 - result.confidence);
         result.landmarks[name] = {
-            back(on_scan.point),
-            (usual_error(name) * std::min(doubt, 4.0) + gap_error(name, gap)) /
-                pose->to_generic.scale};
+            back(on_scan.point), (usual_error(name) * std::min(doubt, 4.0) + gap_error(name, gap)) /
+                                     pose->to_generic.scale};
     }
     return result;
 }

@@ -199,8 +199,7 @@ void sharpen_midline(Places& places, const FrontView& view) {
 
 /// Draws the inner canthi to where the slit between the lids ends, as far as it is seen. Outwards
 /// it runs out into folds that tell nothing.
-void sharpen_inner_canthi(Places& places, const TriangleMesh& mesh,
-                          const Bvh& bvh) {
+void sharpen_inner_canthi(Places& places, const TriangleMesh& mesh, const Bvh& bvh) {
     constexpr double kTrust = 0.5;
     constexpr double kFarthest = 6.0;  // [mm]
     for (const char* side : {"_l", "_r"}) {
@@ -213,8 +212,7 @@ void sharpen_inner_canthi(Places& places, const TriangleMesh& mesh,
             continue;
         }
         const Vec3& end = inner.x() > middle.x() ? slit->left : slit->right;
-        if (std::abs(end.x() - middle.x()) > 8.0 &&
-            (end - inner).head<2>().norm() < kFarthest) {
+        if (std::abs(end.x() - middle.x()) > 8.0 && (end - inner).head<2>().norm() < kFarthest) {
             inner += kTrust * (end - inner);
         }
     }
@@ -223,7 +221,7 @@ void sharpen_inner_canthi(Places& places, const TriangleMesh& mesh,
 /// Height of the gap between the lips in the midplane [mm].
 double gap_height(const FrontView& view, const Vec3& middle) {
     constexpr double kStep = 0.5;
-    constexpr double kHigh = 40.0;   // [mm] no mouth opens further from where it is looked at
+    constexpr double kHigh = 40.0;    // [mm] no mouth opens further from where it is looked at
     constexpr double kBehind = 18.0;  // [mm] no lip lies so far behind the other
     double front = -1e9;
     for (double y = middle.y() - 12.0; y <= middle.y() + 12.0; y += kStep) {

@@ -21,31 +21,56 @@ struct Known {
     const char* long_name;
     const char* title;
     bool paired;
+    const char* definition;
 };
-constexpr std::array<Known, 24> kKnown{{{"tr", "trichion", "hairline", false},
-                                        {"g", "glabella", "glabella", false},
-                                        {"n", "nasion", "nasion", false},
-                                        {"se", "sellion", "nasal root", false},
-                                        {"prn", "pronasale", "nose tip", false},
-                                        {"c", "columella", "columella", false},
-                                        {"sn", "subnasale", "base of the nose", false},
-                                        {"ls", "labrale_superius", "upper lip border", false},
-                                        {"sto", "stomion", "lip contact", false},
-                                        {"li", "labrale_inferius", "lower lip border", false},
-                                        {"sl", "sublabiale", "chin-lip fold", false},
-                                        {"pg", "pogonion", "chin point", false},
-                                        {"gn", "gnathion", "lowest chin point", false},
-                                        {"en", "endocanthion", "inner canthus", true},
-                                        {"ex", "exocanthion", "outer canthus", true},
-                                        {"al", "alare", "wing of the nose", true},
-                                        {"ac", "alar_curvature", "attachment of the wing", true},
-                                        {"sbal", "subalare", "base of the wing", true},
-                                        {"ch", "cheilion", "mouth corner", true},
-                                        {"cph", "crista_philtri", "peak of Cupid's bow", true},
-                                        {"zy", "zygion", "cheekbone arch", true},
-                                        {"go", "gonion", "jaw angle", true},
-                                        {"t", "tragion", "tragus", true},
-                                        {"ft", "frontotemporale", "temple", true}}};
+constexpr std::array<Known, 24> kKnown{
+    {{"tr", "trichion", "hairline", false, "The hairline in the middle of the forehead."},
+     {"g", "glabella", "glabella", false,
+      "The most prominent point of the midline between the eyebrows."},
+     {"n", "nasion", "nasion", false,
+      "The bony root of the nose in the midline, over the nasofrontal suture: above the deepest "
+      "point of the bridge."},
+     {"se", "sellion", "nasal root", false,
+      "The deepest point of the bridge of the nose in the midline, about as high as the upper "
+      "lids."},
+     {"prn", "pronasale", "nose tip", false,
+      "The foremost point of the nose tip, with the head held upright."},
+     {"c", "columella", "columella", false,
+      "The foremost point of the columella, at the crest between the nostrils."},
+     {"sn", "subnasale", "base of the nose", false,
+      "Where the columella meets the upper lip: the deepest point of the angle in the midline."},
+     {"ls", "labrale_superius", "upper lip border", false,
+      "The border between the skin and the red of the upper lip, in the midline."},
+     {"sto", "stomion", "lip contact", false,
+      "Where the closed lips meet in the midline; with open lips, halfway between them."},
+     {"li", "labrale_inferius", "lower lip border", false,
+      "The border between the red of the lower lip and the skin, in the midline."},
+     {"sl", "sublabiale", "chin-lip fold", false,
+      "The deepest point of the fold between lower lip and chin."},
+     {"pg", "pogonion", "chin point", false, "The foremost point of the chin in the midline."},
+     {"gn", "gnathion", "lowest chin point", false,
+      "The lowest point of the chin in the midline, on its lower border."},
+     {"en", "endocanthion", "inner canthus", true,
+      "The inner corner of the eye, where the lids meet beside the nose."},
+     {"ex", "exocanthion", "outer canthus", true,
+      "The outer corner of the eye, where the lids meet; not the end of the fold beyond."},
+     {"al", "alare", "wing of the nose", true,
+      "The point of the wing of the nose that lies furthest to the side."},
+     {"ac", "alar_curvature", "attachment of the wing", true,
+      "Where the curved line of the wing begins in the cheek: its hindmost point."},
+     {"sbal", "subalare", "base of the wing", true,
+      "Where the wing of the nose runs into the upper lip, below the nostril."},
+     {"ch", "cheilion", "mouth corner", true,
+      "The corner of the mouth, where the line between the lips ends."},
+     {"cph", "crista_philtri", "peak of Cupid's bow", true,
+      "The peak of Cupid's bow, at the foot of the ridge beside the groove of the upper lip."},
+     {"zy", "zygion", "cheekbone arch", true,
+      "The point of the cheekbone arch that lies furthest to the side."},
+     {"go", "gonion", "jaw angle", true,
+      "The angle of the jaw: its lowest, hindmost and outermost point."},
+     {"t", "tragion", "tragus", true, "The notch above the tragus, in front of the ear."},
+     {"ft", "frontotemporale", "temple", true,
+      "The temple at the narrowest place of the forehead, at the ridge beside the brow."}}};
 
 std::string lower(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
@@ -99,6 +124,9 @@ LandmarkFile landmarks_from_json(const std::string& text, const std::string& nam
     if (!list.is_object()) {
         throw IoError(name + ": holds no \"landmarks\" object.");
     }
+    const json& errors = document.contains("est_error_mm") && document["est_error_mm"].is_object()
+                             ? document["est_error_mm"]
+                             : json::object();
     for (const auto& [key, value] : list.items()) {
         const std::string short_name = canonical_name(key);
         if (short_name.empty()) {
@@ -116,9 +144,13 @@ LandmarkFile landmarks_from_json(const std::string& text, const std::string& nam
         if (!landmark.position.allFinite() || landmark.position.cwiseAbs().maxCoeff() > 1e9) {
             throw IoError(name + ": landmark '" + key + "' is not finite.");
         }
-        if (value.is_object() && value.contains("est_error_mm") &&
-            value["est_error_mm"].is_number()) {
-            landmark.error_mm = std::clamp(value["est_error_mm"].get<double>(), 0.1, 100.0);
+        // Beside the point, or in a list of its own as landmarks_to_json() writes it.
+        const json& beside = value.is_object() ? value : json::object();
+        const json error = beside.contains("est_error_mm") ? beside["est_error_mm"]
+                           : errors.contains(key)          ? errors[key]
+                                                           : json();
+        if (error.is_number()) {
+            landmark.error_mm = std::clamp(error.get<double>(), 0.1, 100.0);
         }
         result.landmarks[short_name] = landmark;
     }
@@ -132,16 +164,23 @@ LandmarkFile read_landmarks(const std::filesystem::path& file) {
     return landmarks_from_json(read_file(file), file.string());
 }
 
-std::string landmarks_to_json(const Landmarks& landmarks, const FileFrame& frame) {
+std::string landmarks_to_json(const Landmarks& landmarks, const FileFrame& frame,
+                              std::optional<double> confidence) {
     json list = json::object();
+    json errors = json::object();
     for (const auto& [name, landmark] : landmarks) {
         const Vec3 p = frame.to_file(landmark.position);
         list[name] = {p.x(), p.y(), p.z()};
+        errors[name] = std::round(100.0 * landmark.error_mm) / 100.0;
     }
     const std::string unit = unit_name(frame.mm_per_unit);
     json document;
     document["unit"] = unit == "other" ? json(frame.mm_per_unit) : json(unit);
     document["landmarks"] = list;
+    document["est_error_mm"] = errors;
+    if (confidence) {
+        document["confidence"] = std::round(1000.0 * *confidence) / 1000.0;
+    }
     return document.dump(1) + "\n";
 }
 
@@ -184,6 +223,17 @@ std::string landmark_title(const std::string& name) {
         }
     }
     return name;
+}
+
+std::string landmark_definition(const std::string& name) {
+    const bool sided = name.ends_with("_l") || name.ends_with("_r");
+    const std::string base = sided ? name.substr(0, name.size() - 2) : name;
+    for (const Known& known : kKnown) {
+        if (base == known.name) {
+            return known.definition;
+        }
+    }
+    return {};
 }
 
 std::string mirrored_name(const std::string& name) {

@@ -10,7 +10,7 @@ namespace myoface {
 /// landmarks (assets/people.json), and one mode in which the jaw opens.
 /// @cite blanz_1999
 struct People {
-    Points mean;            ///< 3×N: mean person less the average head, on the template's points [mm]
+    Points mean;  ///< 3×N: mean person less the average head, on the template's points [mm]
     Eigen::MatrixXd modes;  ///< 3N×K [mm]
     Eigen::Index jaw = 0;   ///< column in which the jaw opens
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -42,12 +43,16 @@ struct BendLevel {
     Eigen::Index nodes;
     double smoothing;  ///< [mm]
     double reach;      ///< [mm]
+    double slide;      ///< share of a pair's way along the skin that is gone
     int steps;
 };
 constexpr std::array<BendLevel, 3> kBends{
-    {{200, 60.0, 6.0, 8}, {400, 20.0, 4.0, 8}, {600, 8.0, 3.0, 8}}};
-constexpr BendLevel kLast{900, 1.5, 2.5, 5};  // closer than landmarks want it
-
+    {{200, 60.0, 6.0, 0.4, 8}, {400, 20.0, 4.0, 0.4, 8}, {600, 8.0, 3.0, 0.4, 8}}};
+// Between landmarks that are known: closer to the skin, and hardly along it.
+constexpr std::array<BendLevel, 4> kClose{{{200, 60.0, 6.0, 0.1, 8},
+                                           {400, 20.0, 4.0, 0.1, 6},
+                                           {600, 6.0, 3.0, 0.1, 6},
+                                           {900, 0.8, 2.5, 0.1, 5}}};
 constexpr double kWidestOpen = 5.0;   // [SD] of the jaw
 constexpr double kFaceReach = 135.0;  // [mm] around the middle of the face that is looked at
 
@@ -70,7 +75,7 @@ public:
         Registration result;
         result.agreement = person.agreement;
         report(0.7);
-        result.points = bent(base, person.place.rotation, {}, false);
+        result.points = bent(base, person.place.rotation, {}, kBends);
         result.distance = distances(result.points, person.place.rotation);
         report(1.0);
         const Eigen::Index kept = kBends.back().nodes;
@@ -80,13 +85,11 @@ public:
     }
 
     /// The template's points bent from `base` onto the samples, pins being held.
-    Points bent(const Points& base, const Mat3& turn, const Pins& pins, bool closely) const {
+    Points bent(const Points& base, const Mat3& turn, const Pins& pins,
+                std::span<const BendLevel> levels) const {
         Points now = base;
-        for (const BendLevel& level : kBends) {
+        for (const BendLevel& level : levels) {
             bend(level, base, turn, pins, now);
-        }
-        if (closely) {
-            bend(kLast, base, turn, pins, now);
         }
         return now;
     }
@@ -194,13 +197,13 @@ private:
                         improve(person, level);
                     }
                 }
-                worth[at] = agreement(placed(person, kPerson.front().nodes), person) -
-                            0.01 * person.modes.squaredNorm() /
-                                static_cast<double>(person.modes.size());
+                worth[at] =
+                    agreement(placed(person, kPerson.front().nodes), person) -
+                    0.01 * person.modes.squaredNorm() / static_cast<double>(person.modes.size());
             }
         });
-        return persons[static_cast<std::size_t>(
-            std::max_element(worth.begin(), worth.end()) - worth.begin())];
+        return persons[static_cast<std::size_t>(std::max_element(worth.begin(), worth.end()) -
+                                                worth.begin())];
     }
 
     /// One Gauss-Newton step of similarity and modes towards the pairs as they are now.
@@ -211,8 +214,8 @@ private:
         Eigen::VectorXd vector = Eigen::VectorXd::Zero(size);
         Eigen::MatrixXd rows(4, size);
         const Vec3 centre = person.place(face_.centre);
-        const double thinned = static_cast<double>(face_.points.cols()) /
-                               static_cast<double>(level.nodes);
+        const double thinned =
+            static_cast<double>(face_.points.cols()) / static_cast<double>(level.nodes);
         for (Eigen::Index i = 0; i < level.nodes; ++i) {
             const Vec3 p = person.place(shaped(person, i));
             const Vec3 facing = normal_of(person, i);
@@ -234,8 +237,8 @@ private:
             motion.leftCols<7>() << 0, arm.z(), -arm.y(), 1, 0, 0, arm.x(),  //
                 -arm.z(), 0, arm.x(), 0, 1, 0, arm.y(),                      //
                 arm.y(), -arm.x(), 0, 0, 0, 1, arm.z();
-            motion.rightCols(modes) = person.place.scale * person.place.rotation *
-                                      people_.modes.middleRows<3>(3 * i);
+            motion.rightCols(modes) =
+                person.place.scale * person.place.rotation * people_.modes.middleRows<3>(3 * i);
             rows.row(0) = normal.transpose() * motion;
             rows.bottomRows<3>() = std::sqrt(kAlong) * motion;
             Eigen::Vector4d wanted;
@@ -283,7 +286,7 @@ private:
         for (int step = 0; step < level.steps; ++step) {
             parallel_for(static_cast<int>(n), 64, [&](int begin, int end) {
                 for (int i = begin; i < end; ++i) {
-                    to.col(i) = target(turn, i, now.col(i), level.reach);
+                    to.col(i) = target(turn, i, now.col(i), level);
                 }
             });
             const Eigen::Index moved = step + 1 < level.steps ? n : base.cols();
@@ -292,22 +295,21 @@ private:
     }
 
     /// Where a point of the template, now at p, is drawn.
-    Vec3 target(const Mat3& turn, Eigen::Index i, const Vec3& p, double reach) const {
+    Vec3 target(const Mat3& turn, Eigen::Index i, const Vec3& p, const BendLevel& level) const {
         const int near = match(i, p, turn * face_.normals.col(i));
         if (near < 0) {
             return p;
         }
         const Vec3 normal = samples_.normals.col(near);
         const Vec3 way = samples_.points.col(near) - p;
-        const double far = way.norm() / reach;
+        const double far = way.norm() / level.reach;
         if (far > 3.0) {
             return p;
         }
         // Mostly along the normal: skin slides along skin for little.
-        constexpr double kSlide = 0.4;
         const double weight =
             (0.3 + 0.7 * face_.weights[i]) / ((1.0 + far * far) * (1.0 + far * far));
-        return p + weight * ((1.0 - kSlide) * normal.dot(way) * normal + kSlide * way);
+        return p + weight * ((1.0 - level.slide) * normal.dot(way) * normal + level.slide * way);
     }
 
     const SurfaceSamples& samples_;
@@ -345,7 +347,7 @@ LikelyPerson likely_person(const SurfaceSamples& samples) {
 DenseFit bend_onto(const SurfaceSamples& samples, const SmoothWarp& start, const Pins& pins) {
     const Registrar registrar(samples);
     DenseFit fit;
-    fit.points = registrar.bent(start(face_template().points), Mat3::Identity(), pins, true);
+    fit.points = registrar.bent(start(face_template().points), Mat3::Identity(), pins, kClose);
     fit.distance = registrar.distances(fit.points, Mat3::Identity());
     return fit;
 }

@@ -3,7 +3,6 @@
 
 #include "myoface/base/progress.h"
 #include "myoface/face/smooth_warp.h"
-
 #include "myoface/mesh/triangle_mesh.h"
 
 #include "surface_samples.h"
@@ -41,8 +40,8 @@ Registration register_face(const SurfaceSamples& samples, const Progress* progre
 
 /// Points that a bend keeps in place.
 struct Pins {
-    Points from = Points(3, 0);  ///< where the start has them
-    Points to = Points(3, 0);    ///< where they belong
+    Points from = Points(3, 0);                     ///< where the start has them
+    Points to = Points(3, 0);                       ///< where they belong
     Eigen::VectorXd softness = Eigen::VectorXd(0);  ///< how much each may be missed [mm]
 };
 

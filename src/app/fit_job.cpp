@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit_job.h"
+
+#include <new>
+#include <utility>
+
+namespace myoface {
+
+FitJob::FitJob(std::shared_ptr<const Scan> scan, Landmarks landmarks, Contractions contractions,
+               Points skinRest)
+    : m_scan(std::move(scan)),
+      m_landmarks(std::move(landmarks)),
+      m_contractions(std::move(contractions)),
+      m_skinRest(std::move(skinRest)),
+      m_progress([](const std::string&, double) {}) {}
+
+FitJob::~FitJob() {
+    if (m_thread) {
+        m_progress.cancel();
+        m_thread->wait();
+    }
+}
+
+void FitJob::start() {
+    m_thread.reset(QThread::create([this] { run(); }));
+    connect(m_thread.get(), &QThread::finished, this, &FitJob::finished);
+    m_thread->start();
+}
+
+void FitJob::run() {
+    try {
+        m_model = fit_face(m_scan, m_landmarks, &m_progress);
+        auto simulator = std::make_unique<Simulator>(m_model);
+        if (m_skinRest.cols() == m_model->node_count() &&
+            m_skinRest != m_model->skin.mesh.vertices) {
+            simulator->set_skin_rest(m_skinRest);
+        }
+        for (std::size_t m = 0; m < m_contractions.rate.size(); ++m) {
+            if (m_contractions.rate[m] != 0.0) {
+                simulator->set_contraction(static_cast<int>(m), m_contractions.rate[m]);
+            }
+            if (m_contractions.strength[m] != 1.0) {
+                simulator->set_strength(static_cast<int>(m), m_contractions.strength[m]);
+            }
+        }
+        m_net = fitted_net(*m_model);
+        m_simulator = std::move(simulator);
+    } catch (const std::bad_alloc&) {
+        m_problem = tr("There is not enough memory to fit the face.");
+    } catch (const std::exception& error) {
+        m_problem = QString::fromUtf8(error.what());
+    }
+}
+
+}  // namespace myoface
