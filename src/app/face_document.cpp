@@ -32,8 +32,9 @@ void FaceDocument::setLandmarks(const Landmarks& landmarks) {
     Q_EMIT landmarksChanged();
 }
 
-void FaceDocument::setModel(std::shared_ptr<const FaceModel> model) {
+void FaceDocument::setModel(std::shared_ptr<const FaceModel> model, const Points& skinRest) {
     m_model = std::move(model);
+    m_skinRest = skinRest;
 }
 
 }  // namespace myoface

@@ -36,7 +36,7 @@ public:
     void setLandmarks(const Landmarks& landmarks);
 
     /// The same scan fitted anew; the history goes on.
-    void setModel(std::shared_ptr<const FaceModel> model);
+    void setModel(std::shared_ptr<const FaceModel> model, const Points& skinRest);
 
 Q_SIGNALS:
     void faceChanged();

@@ -7,11 +7,11 @@
 namespace myoface {
 
 FitJob::FitJob(std::shared_ptr<const Scan> scan, Landmarks landmarks, Contractions contractions,
-               Points skinRest)
+               Points shape)
     : m_scan(std::move(scan)),
       m_landmarks(std::move(landmarks)),
       m_contractions(std::move(contractions)),
-      m_skinRest(std::move(skinRest)),
+      m_shape(std::move(shape)),
       m_progress([](const std::string&, double) {}) {}
 
 FitJob::~FitJob() {
@@ -31,9 +31,9 @@ void FitJob::run() {
     try {
         m_model = fit_face(m_scan, m_landmarks, &m_progress);
         auto simulator = std::make_unique<Simulator>(m_model);
-        if (m_skinRest.cols() == m_model->node_count() &&
-            m_skinRest != m_model->skin.mesh.vertices) {
-            simulator->set_skin_rest(m_skinRest);
+        if (m_shape.cols() > 0) {
+            simulator->set_skin_rest(simulator->skin_rest() +
+                                     spread_over_margins(*m_model, m_shape));
         }
         for (std::size_t m = 0; m < m_contractions.rate.size(); ++m) {
             if (m_contractions.rate[m] != 0.0) {

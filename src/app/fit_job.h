@@ -17,7 +17,7 @@ class FitJob final : public QObject {
 
 public:
     FitJob(std::shared_ptr<const Scan> scan, Landmarks landmarks, Contractions contractions,
-           Points skinRest);
+           Points shape);
     ~FitJob() override;
     FitJob(const FitJob&) = delete;
     FitJob& operator=(const FitJob&) = delete;
@@ -38,7 +38,7 @@ private:
     std::shared_ptr<const Scan> m_scan;
     Landmarks m_landmarks;
     Contractions m_contractions;
-    Points m_skinRest;
+    Points m_shape;  ///< displacement of the nodes that the scan came with, or 3×0
     Progress m_progress;
     std::shared_ptr<const FaceModel> m_model;
     std::unique_ptr<Simulator> m_simulator;

@@ -442,11 +442,13 @@ void MainWindow::showFace(OpenResult& result) {
     const OpenedFace& face = *result.opened;
     m_frameEditor->setFace(result.opened);
     m_view->setScene(nullptr);
-    m_scene = std::make_unique<FaceScene>(face.scan, face.texture);
     m_shown.reset();
     std::shared_ptr<const FaceModel> model;
     if (result.simulator) {
-        model = std::make_shared<const FaceModel>(result.simulator->face());
+        model = result.simulator->shared_face();
+    }
+    m_scene = std::make_unique<FaceScene>(model ? model->scan : face.scan, face.texture);
+    if (result.simulator) {
         m_scene->set_face(model, result.simulator->system().model.springs,
                           result.simulator->system().chains);
         m_muscles->setMuscles(model->muscles);
@@ -532,8 +534,8 @@ void MainWindow::saveScan() {
         return;
     }
     try {
-        write_mesh(path.toStdString(), *m_document.opened()->scan,
-                   scan_positions(*m_document.model(), m_shown->positions, m_shown->jaw));
+        write_face(path.toStdString(), *m_document.opened()->scan, *m_document.model(),
+                   m_shown->positions, m_shown->jaw);
         statusBar()->showMessage(tr("Written: %1").arg(path), 6000);
     } catch (const Error& error) {
         complain(QString::fromUtf8(error.what()));
@@ -640,10 +642,14 @@ void MainWindow::drawOver() {
 
 /// The same scan with muscles and bone where the moved landmarks put them.
 void MainWindow::showRefitted(FitJob& job) {
-    m_document.setModel(job.model());
+    m_document.setModel(job.model(), job.simulator()->skin_rest());
     const FaceMassSpring& system = job.simulator()->system();
     m_springs = static_cast<int>(system.model.springs.size());
+    m_view->setScene(nullptr);
+    m_scene = std::make_unique<FaceScene>(job.model()->scan, m_document.opened()->texture);
     m_scene->set_face(job.model(), system.model.springs, system.chains);
+    m_view->setSkin(job.model()->skin.mesh);
+    m_view->setScene(m_scene.get());
     m_scene->set_layers(m_layers->layers());
     m_scene->cut_away(m_layers->cutAway());
     m_scanPanel->setFace(*m_document.opened(), job.model().get(), m_springs);

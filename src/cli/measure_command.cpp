@@ -52,7 +52,8 @@ Landmarks landmarks_of(OpenedFace& face) {
     }
     const auto simulator = make_simulator(face);
     simulator->settle();
-    return carried(*face.landmarks, face.scan->mesh.vertices, simulator->scan_vertices());
+    return carried(*face.landmarks, face.scan->mesh.vertices,
+                   simulator->scan_vertices().leftCols(face.scan->mesh.vertices.cols()));
 }
 
 Landmarks other_landmarks(const Arguments& a, const OpenedFace& face, const Landmarks& here) {

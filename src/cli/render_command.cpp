@@ -55,17 +55,19 @@ LayerOpacity parse_layers(const std::string& text) {
 
 /// Distance of every vertex from the other face [mm]: vertex by vertex when they have the same
 /// number, else to the nearest point of its surface.
+/// @param count of the vertices that came with the face, without those of parted lips
 std::vector<double> distances(const Points& here, const std::string& other_file,
-                              const FileFrame& frame) {
+                              const FileFrame& frame, Eigen::Index count) {
     ReadOptions options{frame.mm_per_unit, frame.axes};
     const Scan other = read_mesh(other_file, options);
     std::vector<double> result(static_cast<std::size_t>(here.cols()));
-    const bool same = other.mesh.vertices.cols() == here.cols();
+    const Eigen::Index own = other.mesh.vertices.cols();
+    const bool same = own == count;
     const Bvh bvh(other.mesh);
     for (Eigen::Index v = 0; v < here.cols(); ++v) {
         result[static_cast<std::size_t>(v)] =
-            same ? (here.col(v) - other.mesh.vertices.col(v)).norm()
-                 : bvh.closest_point(other.mesh, here.col(v)).distance;
+            same && v < own ? (here.col(v) - other.mesh.vertices.col(v)).norm()
+                            : bvh.closest_point(other.mesh, here.col(v)).distance;
     }
     return result;
 }
@@ -113,15 +115,19 @@ void render(const Arguments& a) {
     Camera camera;
     camera.orientation = standard_view(a.view);
     OpenedFace opened = a.face.open();
-    FaceScene scene(opened.scan, opened.texture);
-    Points shown = opened.scan->mesh.vertices;
     const bool inner = layers.muscles > 0.0F || layers.bone > 0.0F || layers.springs > 0.0F;
+    std::unique_ptr<Simulator> simulator;
     if (inner || !plan.empty() || !opened.rates.empty() || opened.shape.cols() > 0) {
         find_missing_landmarks(opened);
-        const auto simulator = make_simulator(opened);
+        simulator = make_simulator(opened);
         run_plan(*simulator, plan);
-        scene.set_face(std::make_shared<const FaceModel>(simulator->face()),
-                       simulator->system().model.springs, simulator->system().chains);
+    }
+    const std::shared_ptr<const Scan> drawn = simulator ? simulator->face().scan : opened.scan;
+    FaceScene scene(drawn, opened.texture);
+    Points shown = drawn->mesh.vertices;
+    if (simulator) {
+        scene.set_face(simulator->shared_face(), simulator->system().model.springs,
+                       simulator->system().chains);
         scene.set_layers(layers);
         SimSnapshot snapshot;
         snapshot.positions = simulator->state().positions;
@@ -135,7 +141,8 @@ void render(const Arguments& a) {
     }
     scene.cut_away(a.cut_away);
     if (!a.heatmap.empty()) {
-        std::vector<double> values = distances(shown, a.heatmap, opened.scan->frame);
+        std::vector<double> values =
+            distances(shown, a.heatmap, opened.scan->frame, opened.scan->mesh.vertices.cols());
         const double largest = *std::max_element(values.begin(), values.end());
         const double most = a.heatmap_max > 0.0 ? a.heatmap_max : std::max(largest, 1e-9);
         for (double& value : values) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "myoface/base/parallel.h"
+#include "myoface/sim/snapshot.h"
 
 #include "commands.h"
 #include "face_arguments.h"
@@ -48,11 +49,11 @@ nlohmann::ordered_json drag_json(const FaceModel& face, const DragReport& drag) 
     return json;
 }
 
-std::string report_json(const Simulator& simulator, const PlanReport& plan) {
+std::string report_json(const Simulator& simulator, const PlanReport& plan, int vertices) {
     const FaceModel& face = simulator.face();
     nlohmann::ordered_json json;
     json["note"] = "A planning and communication aid, not a medical device.";
-    json["vertices"] = face.scan->mesh.vertex_count();
+    json["vertices"] = vertices;
     json["nodes"] = simulator.system().model.node_count();
     json["springs"] = simulator.system().model.springs.size();
     for (std::size_t m = 0; m < face.muscles.size(); ++m) {
@@ -107,9 +108,11 @@ void add_simulate(CLI::App& app) {
             std::cerr << "Not at rest after " << report.last.iterations
                       << " steps; the report says how far.\n";
         }
-        write_mesh(a->output, *opened.scan, simulator->scan_vertices());
+        write_face(a->output, *opened.scan, simulator->face(), simulator->state().positions,
+                   jaw_opening(simulator->face(), simulator->contractions()));
         if (!a->report.empty()) {
-            write_text(a->report, report_json(*simulator, report));
+            write_text(a->report,
+                       report_json(*simulator, report, opened.scan->mesh.vertex_count()));
         }
     });
 }

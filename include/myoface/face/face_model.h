@@ -62,6 +62,7 @@ Vec3 opened(const JawHinge& hinge, double share, const Vec3& p);
 /// Everything about one face that does not change while it is simulated: anatomy on the scan.
 /// "Skin node" means a vertex of skin.mesh: the scan's main part with seams welded.
 struct FaceModel {
+    /// The scan as it came, or with its lips parted: then the file's vertices first and in order.
     std::shared_ptr<const Scan> scan;
     WeldedMesh skin;
     std::shared_ptr<const Adjacency> adjacency;
@@ -84,6 +85,8 @@ struct FaceModel {
     std::vector<std::pair<int, int>> lip_contacts;  ///< upper and lower node that touch
     /// Per skin node: 1 upper lip, -1 lower lip, 0 elsewhere, or everywhere where lips are fused.
     std::vector<signed char> lip_side;
+    /// Skin nodes that the scan came with; those of margins that were parted follow.
+    int own_nodes = 0;
     Mat3 axes = Mat3::Identity();  ///< columns: the face's left, up and front
     Midplane midplane;
 
@@ -102,6 +105,10 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
 
 /// Where a place of the average head lies on this one [mm].
 Vec3 from_generic(const FaceModel& face, const Vec3& p);
+
+/// A displacement of the scan's own nodes for all nodes: margins of parted lips go along.
+/// @param own 3×own_nodes
+Points spread_over_margins(const FaceModel& face, const Points& own);
 
 /// The average head's front as a net on this face, and how far the scan is from it.
 struct FittedNet {

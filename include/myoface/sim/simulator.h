@@ -42,6 +42,7 @@ public:
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
 
+    std::shared_ptr<const FaceModel> shared_face() const { return face_; }
     const FaceModel& face() const { return *face_; }
     const FaceMassSpring& system() const { return *system_; }
     const MassSpringState& state() const { return state_; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -24,6 +25,12 @@ struct SimSnapshot {
 /// Positions of the scan's vertices for given node positions: exactly the scan where nothing moved.
 /// Loose parts that hang on the mandible turn with it. @param jaw share of its full opening
 Points scan_positions(const FaceModel& face, const Points& node_positions, double jaw);
+
+/// Writes a face as it stands at a moment. While lips that were parted for the simulation touch,
+/// the file has the vertices and faces of the scan as it came; once they open, the margins' own
+/// vertices follow the scan's. @param as_came the scan before it was fitted @throws IoError
+void write_face(const std::filesystem::path& file, const Scan& as_came, const FaceModel& face,
+                const Points& node_positions, double jaw);
 
 /// A box with one place between two threads: the newest snapshot wins, so that a slow viewer never
 /// makes a queue.

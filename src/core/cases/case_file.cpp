@@ -443,7 +443,8 @@ std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened, const Simula
         }
     }
     if (opened.shape.cols() > 0) {
-        simulator->set_skin_rest(simulator->skin_rest() + opened.shape);
+        simulator->set_skin_rest(simulator->skin_rest() +
+                                 spread_over_margins(simulator->face(), opened.shape));
     }
     return simulator;
 }
@@ -462,7 +463,7 @@ CaseState case_state(const FaceModel& face, const Contractions& contractions,
     }
     const Points moved = skin_rest - face.skin.mesh.vertices;
     if (moved.cwiseAbs().maxCoeff() > 0.0) {
-        state.shape = moved;
+        state.shape = moved.leftCols(face.own_nodes);
     }
     return state;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@
 #include "bone_placement.h"
 #include "face_template.h"
 #include "head/head_mesh.h"
+#include "lip_cut.h"
 #include "muscle_placement.h"
 #include "registration.h"
 #include "sliding_surface.h"
@@ -272,6 +274,33 @@ HeadWarps fit_head(const FaceModel& face) {
     return warps;
 }
 
+/// Parts lips that the scanner closed, so that the mouth can open.
+void cut_open(FaceModel& face, const Vec3& nose) {
+    const Scan& scan = *face.scan;
+    Points generic =
+        Points::Constant(3, scan.mesh.vertex_count(), std::numeric_limits<double>::quiet_NaN());
+    for (int v = 0; v < scan.mesh.vertex_count(); ++v) {
+        if (face.skin.of_vertex[v] >= 0) {
+            generic.col(v) = face.generic.col(face.skin.of_vertex[v]);
+        }
+    }
+    const std::optional<PartedLips> parted = part_lips(scan, generic);
+    if (!parted) {
+        return;
+    }
+    face.scan = parted->scan;
+    face.skin = main_part(*face.scan, nose);
+    face.generic.resize(3, face.node_count());
+    face.lip_side.assign(static_cast<std::size_t>(face.node_count()), 0);
+    for (int v = face.scan->mesh.vertex_count() - 1; v >= 0; --v) {  // the file's own decide
+        if (face.skin.of_vertex[v] >= 0) {
+            face.generic.col(face.skin.of_vertex[v]) = parted->generic.col(v);
+            face.lip_side[static_cast<std::size_t>(face.skin.of_vertex[v])] =
+                parted->side[static_cast<std::size_t>(v)];
+        }
+    }
+}
+
 /// From landmarks, then from the front of the face and its mirror image.
 Midplane find_midplane(const FaceModel& face, const Bvh& bvh) {
     constexpr int kPoints = 2500;
@@ -340,7 +369,8 @@ std::vector<std::pair<int, int>> find_lip_contacts(const FaceModel& face) {
 
 /// Which lip a node belongs to, told along the surface: both margins lie at the same place.
 std::vector<signed char> find_lip_sides(const FaceModel& face) {
-    std::vector<signed char> side(static_cast<std::size_t>(face.node_count()), 0);
+    std::vector<signed char> side = face.lip_side;  // what is known where lips were parted
+    side.resize(static_cast<std::size_t>(face.node_count()), 0);
     if (face.lip_contacts.empty()) {
         return side;
     }
@@ -354,8 +384,10 @@ std::vector<signed char> find_lip_sides(const FaceModel& face) {
         }
         mouth[v] = 1;
         const double upper = upper_lip_share({0.0, p.y(), p.z()}, kSure);
-        if (upper >= 1.0 || upper <= 0.0) {
+        if (side[v] == 0 && (upper >= 1.0 || upper <= 0.0)) {
             side[v] = upper >= 1.0 ? 1 : -1;
+        }
+        if (side[v] != 0) {
             reached.push_back(v);
         }
     }
@@ -372,6 +404,27 @@ std::vector<signed char> find_lip_sides(const FaceModel& face) {
 }
 
 }  // namespace
+
+Points spread_over_margins(const FaceModel& face, const Points& own) {
+    if (own.cols() == face.node_count()) {
+        return own;
+    }
+    Points all = Points::Zero(3, face.node_count());
+    const Eigen::Index known = std::min<Eigen::Index>(own.cols(), face.own_nodes);
+    all.leftCols(known) = own.leftCols(known);
+    for (int v = face.own_nodes; v < face.node_count(); ++v) {
+        Vec3 sum = Vec3::Zero();
+        double count = 0.0;
+        for (const int w : face.adjacency->neighbours(v)) {
+            if (w < known) {
+                sum += all.col(w);
+                count += 1.0;
+            }
+        }
+        all.col(v) = sum / std::max(count, 1.0);
+    }
+    return all;
+}
 
 Vec3 from_generic(const FaceModel& face, const Vec3& p) {
     return face.to_generic.inverse()(face.from_generic(p));
@@ -482,10 +535,8 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     if (mesh.triangle_count() < 100) {
         throw InvalidInput("The scan has too few triangles to be a face.");
     }
-    const Bvh bvh(mesh);
-    check_near(face->landmarks, mesh, bvh);
-    face->adjacency = std::make_shared<Adjacency>(mesh);
-    face->area = vertex_areas(mesh);
+    check_near(face->landmarks, mesh, Bvh(mesh));
+    face->own_nodes = face->node_count();
     report("Fitting the face", 0.2);
 
     const HeadWarps warps = fit_head(*face);
@@ -493,6 +544,10 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     face->generic =
         warps.to_average(Points((turn * mesh.vertices).colwise() + face->to_generic.shift));
     face->from_generic = warps.from_average;
+    cut_open(*face, prn.position);
+    face->adjacency = std::make_shared<Adjacency>(mesh);
+    face->area = vertex_areas(mesh);
+    const Bvh bvh(mesh);
     report("Fitting the face", 0.5);
 
     const Points normals = vertex_normals(mesh, *face->adjacency);

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "myoface/base/error.h"
+#include "myoface/io/mesh_file.h"
 #include "myoface/physics/euler.h"
 #include "myoface/physics/forces.h"
 #include "myoface/sim/snapshot.h"
@@ -271,6 +272,22 @@ Points scan_positions(const FaceModel& face, const Points& node_positions, doubl
         result.col(v) = opened(face.jaw, jaw, result.col(v));
     }
     return result;
+}
+
+void write_face(const std::filesystem::path& file, const Scan& as_came, const FaceModel& face,
+                const Points& node_positions, double jaw) {
+    constexpr double kOpen = 0.5;  // [mm] between the lips
+    const Points vertices = scan_positions(face, node_positions, jaw);
+    const Eigen::Index own = as_came.mesh.vertices.cols();
+    double gap = 0.0;
+    for (const auto& [upper, lower] : face.lip_contacts) {
+        gap = std::max(gap, (node_positions.col(upper) - node_positions.col(lower)).norm());
+    }
+    if (vertices.cols() > own && gap < kOpen) {
+        write_mesh(file, as_came, vertices.leftCols(own));
+    } else {
+        write_mesh(file, *face.scan, vertices);
+    }
 }
 
 Points Simulator::scan_vertices() const {
