@@ -374,7 +374,7 @@ std::vector<signed char> find_lip_sides(const FaceModel& face) {
     if (face.lip_contacts.empty()) {
         return side;
     }
-    constexpr double kSure = 1.5;  // [mm] above or below the line where the lips meet
+    constexpr double kSure = 3.0;  // [mm] above or below the line where the lips meet
     std::vector<char> mouth(side.size(), 0);
     std::vector<int> reached;
     for (int v = 0; v < face.node_count(); ++v) {

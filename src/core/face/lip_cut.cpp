@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace myoface {
 namespace {
 
 constexpr double kShort = 1.2;       // [mm] the cut ends before the corner of the mouth
-constexpr double kBehind = 7.0;      // [mm] what lies further behind the lips' front is no lip
+constexpr double kBehind = 6.0;      // [mm] what lies further behind the lips' front is no lip
 constexpr double kLeast = 0.18;      // share of an edge that the cut keeps from its ends
 constexpr double kApart = 1e-4;      // [mm] between the margins, so that they are not welded
 constexpr double kWholeMouth = 0.7;  // of the line's length must be grown together
@@ -117,6 +118,13 @@ private:
     void find_crossings() {
         for (int t = 0; t < scan_.mesh.triangle_count(); ++t) {
             const Eigen::Vector3i v = scan_.mesh.triangles.col(t);
+            const auto on_lips = [&](int corner) {
+                return height_[static_cast<std::size_t>(v[corner])] != 0.0;
+            };
+            if (!on_lips(0) || !on_lips(1) || !on_lips(2)) {
+                continue;
+            }
+            near_.push_back(t);
             std::vector<Edge> here;
             for (int c = 0; c < 3; ++c) {
                 if (crossed(v[c], v[(c + 1) % 3])) {
@@ -139,22 +147,49 @@ private:
         }
     }
 
-    /// Whether the line is crossed by skin nearly all the way: open lips are left alone.
+    /// Whether skin goes on from lip to lip nearly all the way: open lips are left alone, and those
+    /// that only touch.
     bool whole_mouth() const {
-        constexpr int kBins = 12;
-        std::array<bool, kBins> seen{};
-        const double half = HeadField::kMouthCorner - 2.0 * kShort;
-        for (const auto& [edge, vertex] : line_) {
-            const double x = 0.5 * (generic_(0, edge.first) + generic_(0, edge.second));
-            const double reach =
-                0.5 * std::abs(generic_(0, edge.first) - generic_(0, edge.second)) + 2.0;
-            for (int bin = 0; bin < kBins; ++bin) {
-                const double at = half * (2.0 * (bin + 0.5) / kBins - 1.0);
-                seen[static_cast<std::size_t>(bin)] =
-                    seen[static_cast<std::size_t>(bin)] || std::abs(x - at) < reach;
+        constexpr int kStrips = 9;
+        constexpr double kSure = 1.5;  // [mm] over or under the line
+        const double half = HeadField::kMouthCorner - 4.0 * kShort;
+        const auto n = static_cast<std::size_t>(scan_.mesh.vertex_count());
+        int whole = 0;
+        std::vector<int> root(n);
+        const auto find = [&](int v) {
+            while (root[static_cast<std::size_t>(v)] != v) {
+                v = root[static_cast<std::size_t>(v)];
             }
+            return v;
+        };
+        for (int strip = 0; strip < kStrips; ++strip) {
+            const double at = half * (2.0 * (strip + 0.5) / kStrips - 1.0);
+            std::iota(root.begin(), root.end(), 0);
+            std::vector<int> seen;
+            for (const int t : near_) {
+                const Eigen::Vector3i v = scan_.mesh.triangles.col(t);
+                const double low =
+                    std::min({generic_(0, v[0]), generic_(0, v[1]), generic_(0, v[2])});
+                const double high =
+                    std::max({generic_(0, v[0]), generic_(0, v[1]), generic_(0, v[2])});
+                if (low < at + 3.0 && high > at - 3.0) {
+                    for (int c = 0; c < 3; ++c) {
+                        root[static_cast<std::size_t>(find(v[c]))] = find(v[(c + 1) % 3]);
+                        seen.push_back(v[c]);
+                    }
+                }
+            }
+            std::map<int, int> sides;  // of each piece: 1 upper, 2 lower, 3 both
+            for (const int v : seen) {
+                const double height = height_[static_cast<std::size_t>(v)];
+                sides[find(v)] |= height > kSure ? 1 : height < -kSure ? 2 : 0;
+            }
+            whole += std::any_of(sides.begin(), sides.end(),
+                                 [](const auto& piece) { return piece.second == 3; })
+                         ? 1
+                         : 0;
         }
-        return std::count(seen.begin(), seen.end(), true) >= kWholeMouth * kBins;
+        return whole >= kWholeMouth * kStrips;
     }
 
     /// Seams double vertices: those of one place must be parted alike.
@@ -366,6 +401,7 @@ private:
     const Points& generic_;
     Points new_generic_;
     std::vector<double> height_;
+    std::vector<int> near_;  ///< triangles of the lips
     std::map<Edge, LineVertex> line_;
     std::map<std::pair<int, int>, int> uv_;
     std::vector<Eigen::Vector2f> new_uv_;

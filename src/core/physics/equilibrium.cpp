@@ -14,7 +14,8 @@ namespace myoface {
 namespace {
 
 constexpr int kGrain = 384;
-constexpr int kMassesEvery = 40;      // iterations
+constexpr int kMassesEvery = 40;  // iterations
+constexpr int kColdIterations = 20;
 constexpr int kLookEvery = 5;         // iterations between looks at convergence
 constexpr double kMassSafety = 1.15;  // over Gershgorin's bound for a unit step
 constexpr double kRunaway = 200.0;    // no tissue moves that far [mm]
@@ -215,6 +216,7 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
                                      std::span<const HandPull> pulls) {
     const int n = model_.node_count();
     const bool layer = state.layer.cols() > 0;
+    const bool cold = !warm_;
     if (!warm_ || velocity_.cols() != n || (layer && layer_velocity_.cols() == 0)) {
         velocity_ = Points::Zero(3, n);
         last_force_ = force_ = Points::Zero(3, n);
@@ -230,7 +232,9 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
     RelaxReport report;
     int still = 0;
     for (int k = 0; k < options.iterations; ++k) {
-        if (k % kMassesEvery == 0) {
+        // A cold start may be far from rest: stretched springs are stiff and change quickly.
+        const bool settling_in = cold && k < kColdIterations;
+        if (settling_in || k % kMassesEvery == 0) {
             scale_masses(state, drive, pulls);
         }
         hand_forces_.clear();

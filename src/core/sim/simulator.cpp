@@ -67,6 +67,13 @@ void Simulator::refresh_drive() {
     drive_ = contraction_drive(*system_, responses_, contractions_);
     drive_.gravity = kUprightGravity;
     // What is carried starts from where it is carried to: relaxation has the rest to do only.
+    constexpr double kJump = 0.5;  // [mm] that momentum does not survive
+    const double way = drive_.carry.cols() == 0 ? (before.cols() > 0 ? 1.0 : 0.0)
+                       : before.cols() == 0     ? drive_.carry.cwiseAbs().maxCoeff()
+                                                : (drive_.carry - before).cwiseAbs().maxCoeff();
+    if (way > kJump) {
+        solver_->restart();
+    }
     if (before.cols() > 0) {
         state_.positions -= before;
     }
