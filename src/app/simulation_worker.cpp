@@ -7,8 +7,10 @@
 
 namespace myoface {
 namespace {
-constexpr double kFrameBudget = 11.0;  // of simulation in a frame of 16.7 [ms]
-}
+constexpr double kFrameBudget = 11.0;   // of simulation in a frame of 16.7 [ms]
+constexpr double kSettleBudget = 40.0;  // when no hand waits for it [ms]
+constexpr int kQuickFrames = 12;        // after a change, before the longer budget
+}  // namespace
 
 SimulationWorker::SimulationWorker(SnapshotBox& box) : m_box(box), m_timer(this) {
     m_timer.setInterval(0);
@@ -70,6 +72,7 @@ void SimulationWorker::endDrag(bool keep) {
 }
 
 void SimulationWorker::wake() {
+    m_sinceChange = 0;
     if (!m_timer.isActive()) {
         m_timer.start();
     }
@@ -81,8 +84,11 @@ void SimulationWorker::work() {
         return;
     }
     try {
-        const int sweeps =
-            std::clamp(static_cast<int>(kFrameBudget / m_millisecondsPerSweep), 4, 200);
+        const bool waited = m_simulator->dragging() || m_sinceChange < kQuickFrames;
+        ++m_sinceChange;
+        const int sweeps = std::clamp(
+            static_cast<int>((waited ? kFrameBudget : kSettleBudget) / m_millisecondsPerSweep), 4,
+            200);
         const StepReport report = m_simulator->step(sweeps);
         if (report.iterations > 0) {
             const double each = report.milliseconds / report.iterations;

@@ -50,6 +50,7 @@ private:
     std::unique_ptr<Simulator> m_simulator;
     QTimer m_timer;
     double m_millisecondsPerSweep = 0.5;
+    int m_sinceChange = 0;  ///< frames
     std::uint64_t m_frame = 0;
 };
 

@@ -28,8 +28,7 @@ Scan closed_scan() {
             const double y = 62.0 - kStep * r;
             double z = 20.0;
             for (const double beside : {-0.7, 0.0, 0.7}) {  // not through the slit
-                const auto hit =
-                    bvh.first_hit(head, {Vec3(x, y + beside, 250.0), -Vec3::UnitZ()});
+                const auto hit = bvh.first_hit(head, {Vec3(x, y + beside, 250.0), -Vec3::UnitZ()});
                 z = hit ? std::max(z, 250.0 - hit->distance) : z;
             }
             sheet.vertices.col(r * kColumns + c) = Vec3(x, y, z);
@@ -50,8 +49,7 @@ Scan closed_scan() {
 class ClosedLips : public ::testing::Test {
 protected:
     ClosedLips()
-        : scan_(std::make_shared<const Scan>(closed_scan())),
-          face_(fit_face(scan_, landmarks())) {}
+        : scan_(std::make_shared<const Scan>(closed_scan())), face_(fit_face(scan_, landmarks())) {}
 
     static Landmarks landmarks() {
         Landmarks front = test::small_face().landmarks;
@@ -133,8 +131,7 @@ TEST_F(ClosedLips, AreWrittenAsTheyCameWhileTheyTouch) {
     write_face(folder / "closed.ply", *scan_, *face_, face_->skin.mesh.vertices, 0.0);
     EXPECT_EQ(read_mesh(folder / "closed.ply").mesh.vertex_count(), scan_->mesh.vertex_count());
     write_face(folder / "open.ply", *scan_, *face_, posed("jaw_open", 0.6), 0.6);
-    EXPECT_EQ(read_mesh(folder / "open.ply").mesh.vertex_count(),
-              face_->scan->mesh.vertex_count());
+    EXPECT_EQ(read_mesh(folder / "open.ply").mesh.vertex_count(), face_->scan->mesh.vertex_count());
 }
 
 TEST_F(ClosedLips, CarryAShapeOfTheScansOwnNodes) {

@@ -59,6 +59,9 @@ public:
     RelaxReport relax(MassSpringState& state, const Drive& drive, const RelaxOptions& options,
                       std::span<const Handle> handles = {}, std::span<const HandPull> pulls = {});
 
+    /// The drive is another one: masses are fitted to its stiffness before the next step.
+    void drive_changed();
+
     /// Forgets momentum: after a jump of the state or another model of the same size.
     void restart();
 
@@ -81,6 +84,7 @@ private:
     double damping_ = 0.1;
     double residual_ = 0.0;
     bool warm_ = false;
+    int since_cold_ = 0, since_masses_ = 0;  ///< iterations
     std::vector<Vec3> hand_forces_;
 };
 

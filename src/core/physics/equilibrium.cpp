@@ -41,6 +41,10 @@ NodeUpdate stepped(const Vec3& x, const Vec3& v, const Vec3& f, double mass, dou
 
 EquilibriumSolver::EquilibriumSolver(const MassSpringModel& model) : model_(model) {}
 
+void EquilibriumSolver::drive_changed() {
+    since_masses_ = kMassesEvery;
+}
+
 void EquilibriumSolver::restart() {
     warm_ = false;
 }
@@ -216,8 +220,8 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
                                      std::span<const HandPull> pulls) {
     const int n = model_.node_count();
     const bool layer = state.layer.cols() > 0;
-    const bool cold = !warm_;
-    if (!warm_ || velocity_.cols() != n || (layer && layer_velocity_.cols() == 0)) {
+    if (!warm_ || mass_.size() != n || velocity_.cols() != n ||
+        (layer && layer_velocity_.cols() == 0)) {
         velocity_ = Points::Zero(3, n);
         last_force_ = force_ = Points::Zero(3, n);
         next_ = state.positions;
@@ -225,6 +229,7 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
             Points::Zero(3, layer ? model_.skin_nodes : 0);
         layer_next_ = state.layer;
         damping_ = 0.1;
+        since_cold_ = 0;
         warm_ = true;
     }
     const Points good = state.positions;
@@ -233,10 +238,13 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
     int still = 0;
     for (int k = 0; k < options.iterations; ++k) {
         // A cold start may be far from rest: stretched springs are stiff and change quickly.
-        const bool settling_in = cold && k < kColdIterations;
-        if (settling_in || k % kMassesEvery == 0) {
+        if (since_cold_ < kColdIterations || since_masses_ >= kMassesEvery ||
+            (k == 0 && (!pulls.empty() || layer))) {
             scale_masses(state, drive, pulls);
+            since_masses_ = 0;
         }
+        ++since_cold_;
+        ++since_masses_;
         hand_forces_.clear();
         advance(state, drive, pulls, layer);
         for (const Handle& handle : handles) {

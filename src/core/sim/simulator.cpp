@@ -15,6 +15,7 @@
 namespace myoface {
 namespace {
 
+constexpr double kStillOnScreen = 2e-5;  // a step below this is seen as rest [mm]
 constexpr int kMostSweeps = 12000;
 constexpr int kMostTimeSteps = 400000;
 constexpr double kStillSpeed = 0.02;  // a tissue slower than this is at rest [mm/s]
@@ -66,6 +67,7 @@ void Simulator::refresh_drive() {
     const Points before = std::move(drive_.carry);
     drive_ = contraction_drive(*system_, responses_, contractions_);
     drive_.gravity = kUprightGravity;
+    solver_->drive_changed();
     // What is carried starts from where it is carried to: relaxation has the rest to do only.
     constexpr double kJump = 0.5;  // [mm] that momentum does not survive
     const double way = drive_.carry.cols() == 0 ? (before.cols() > 0 ? 1.0 : 0.0)
@@ -179,6 +181,7 @@ StepReport Simulator::step(int iterations) {
         } else {
             RelaxOptions options;
             options.iterations = iterations;
+            options.still_mm = kStillOnScreen;
             relaxed = solver_->relax(state_, drive_, options);
         }
         report.iterations = relaxed.iterations;
