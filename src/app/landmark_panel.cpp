@@ -146,6 +146,12 @@ void LandmarkPanel::setLandmarks(const Landmarks& landmarks) {
     describe();
 }
 
+void LandmarkPanel::showAll() {
+    m_edit->setChecked(true);
+    m_net->setChecked(true);
+    selectNext();
+}
+
 void LandmarkPanel::select(const std::string& name) {
     for (int i = 0; i < m_list->topLevelItemCount(); ++i) {
         QTreeWidgetItem* row = m_list->topLevelItem(i);

@@ -31,6 +31,8 @@ public:
     void select(const std::string& name);
     /// What is chosen, or "".
     std::string selected() const;
+    /// Markers and net on, and the landmark chosen that is next to be checked.
+    void showAll();
     bool netShown() const { return m_net->isChecked(); }
     bool markersShown() const { return m_edit->isChecked(); }
     /// How far the fitted head lies off the scan.

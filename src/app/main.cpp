@@ -86,7 +86,9 @@ int main(int argc, char** argv) {
                                     QStringLiteral("list"));
     const QCommandLineOption view(QStringLiteral("view"), QObject::tr("standard view"),
                                   QStringLiteral("name"));
-    parser.addOptions({screenshot, muscle, expression, layers, view});
+    const QCommandLineOption landmarks(QStringLiteral("landmarks-panel"),
+                                       QObject::tr("show landmarks and fitted head"));
+    parser.addOptions({screenshot, muscle, expression, layers, view, landmarks});
     parser.process(application);
 
     if (!hasOpenGl()) {
@@ -141,6 +143,9 @@ int main(int argc, char** argv) {
                      names.contains(QStringLiteral("muscle")) ? 1.0F : 0.0F,
                      names.contains(QStringLiteral("bone")) ? 1.0F : 0.0F,
                      names.contains(QStringLiteral("springs")) ? 0.8F : 0.0F});
+            }
+            if (parser.isSet(landmarks)) {
+                window.showLandmarks();
             }
             if (parser.isSet(view)) {
                 window.view().showStandardView(parser.value(view));

@@ -770,6 +770,16 @@ void MainWindow::setLayers(const LayerOpacity& layers) {
     m_view->update();
 }
 
+void MainWindow::showLandmarks() {
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+        if (dock->widget() == m_landmarks) {
+            dock->show();
+            dock->raise();
+        }
+    }
+    m_landmarks->showAll();
+}
+
 void MainWindow::complain(const QString& sentence) {
     m_lastProblem = sentence;
     if (qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {

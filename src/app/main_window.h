@@ -49,6 +49,8 @@ public:
     /// Adds an expression to what the muscles do. @throws InvalidInput for an unknown name
     void addExpression(const std::string& name, double intensity);
     void setLayers(const LayerOpacity& layers);
+    /// Brings the landmarks panel to the front, markers and fitted net on.
+    void showLandmarks();
 
 Q_SIGNALS:
     void opened();

@@ -15,6 +15,7 @@
 
 #include "myoface/io/mesh_file.h"
 
+#include "landmark_panel.h"
 #include "main_window.h"
 #include "muscle_panel.h"
 #include "test_meshes.h"
@@ -75,6 +76,39 @@ TEST_F(Window, OpensAFaceAndComesToRest) {
     EXPECT_TRUE(window_.document().model());
     EXPECT_TRUE(settle());
     EXPECT_TRUE(window_.windowTitle().contains("face.ply"));
+}
+
+TEST_F(Window, MovesALandmarkFitsAnewAndUndoesIt) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.showLandmarks();
+    ASSERT_TRUE(settle());
+    const Landmarks before = window_.document().landmarks();
+    const auto model = window_.document().model();
+    const Vec3 midway = model->muscles[0].path.col(0);
+    drag(pixel("ch_l"), {8, 5});
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window_.document().model() != model && window_.settled(); }, kPatience));
+    const Landmark& moved = window_.document().landmarks().at("ch_l");
+    EXPECT_GT((moved.position - before.at("ch_l").position).norm(), 1.0);
+    EXPECT_LE(moved.error_mm, kCheckedError);
+    EXPECT_EQ(window_.document().landmarks().at("ch_r").position, before.at("ch_r").position);
+    EXPECT_LT((window_.document().model()->muscles[0].path.col(0) - midway).norm(), 5.0);
+    const auto second = window_.document().model();
+    window_.document().undoStack()->undo();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window_.document().model() != second && window_.settled(); }, kPatience));
+    EXPECT_EQ(window_.document().landmarks().at("ch_l").position, before.at("ch_l").position);
+}
+
+TEST_F(Window, ComesToRestWithAnExpression) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.addExpression("joy", 0.8);
+    EXPECT_FALSE(window_.settled());
+    EXPECT_TRUE(settle());
+    const auto& rates = window_.document().contractions().rate;
+    EXPECT_GT(*std::max_element(rates.begin(), rates.end()), 0.5);
 }
 
 TEST_F(Window, ShapesTheSkinUnderTheMouseAndUndoesIt) {

@@ -119,6 +119,10 @@ struct FittedNet {
 /// @param spacing of the net on the average head [mm]
 FittedNet fitted_net(const FaceModel& face, double spacing = 4.0);
 
+/// Builds what every fit needs of the average head, once per process, beside the caller: about a
+/// second of work that opening a scan need not wait for.
+void prepare_fitting();
+
 /// Unit and axes of a scan as its landmarks imply them: the quarter turns nearest to the pose of
 /// the face and, where `mm_per_unit` is not known, the unit (snapped to a usual one within 20 %).
 /// Positions in `landmarks` are in the file's unit and axes.

@@ -30,26 +30,28 @@ Vec3 gradient(const HeadField& head, const Vec3& p) {
 }
 
 /// relief() of a field: rings instead of discs, so smaller by the root of two.
-double ring_relief(const HeadField& head, const Vec3& p, double reach) {
+double ring_relief(const HeadField& head, const Vec3& p, const Vec3& normal, double reach) {
     const double radius = reach / std::numbers::sqrt2;
-    Vec3 normal = gradient(head, p);
     const Vec3 along = normal.unitOrthogonal();
     const Vec3 across = normal.cross(along);
     constexpr int kDirections = 12;
     std::array<Vec3, kDirections> ring;
-    Vec3 sum = normal;
     for (int k = 0; k < kDirections; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / kDirections;
-        ring[static_cast<std::size_t>(k)] =
-            head.onto_surface(p + radius * (std::cos(angle) * along + std::sin(angle) * across));
-        sum += gradient(head, ring[static_cast<std::size_t>(k)]);
+        Vec3 q = p + radius * (std::cos(angle) * along + std::sin(angle) * across);
+        for (int step = 0; step < 2; ++step) {
+            q -= head(q) * normal;
+        }
+        ring[static_cast<std::size_t>(k)] = q;
     }
-    normal = sum.normalized();
-    double height = 0.0;
-    for (const Vec3& q : ring) {
-        height += normal.dot(p - q) / kDirections;
+    // The ring's own plane stands for the mean of the normals in it.
+    Vec3 plane = Vec3::Zero();
+    Vec3 middle = Vec3::Zero();
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        plane += (ring[k] - p).cross(ring[(k + 1) % ring.size()] - p);
+        middle += ring[k] / kDirections;
     }
-    return height;
+    return plane.normalized().dot(p - middle);
 }
 
 FaceTemplate build() {
@@ -91,8 +93,8 @@ FaceTemplate build() {
     for (int i = 0; i < kNodes; ++i) {
         const Vec3 p = face.points.col(i);
         face.normals.col(i) = gradient(head, p);
-        face.fine_relief[i] = ring_relief(head, p, kFineReach);
-        face.coarse_relief[i] = ring_relief(head, p, kCoarseReach);
+        face.fine_relief[i] = ring_relief(head, p, face.normals.col(i), kFineReach);
+        face.coarse_relief[i] = ring_relief(head, p, face.normals.col(i), kCoarseReach);
         const bool eye = (Vec3(std::abs(p.x()), p.y(), p.z()) - head.eye_centre()).norm() < 19.0;
         face.weights[i] = eye ? 0.3 : (p - tip).norm() < 75.0 ? 1.0 : 0.5;
     }

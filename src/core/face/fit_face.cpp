@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <numbers>
 
@@ -18,6 +19,7 @@
 #include "bone_placement.h"
 #include "face_template.h"
 #include "head/head_mesh.h"
+#include "head/skull.h"
 #include "lip_cut.h"
 #include "muscle_placement.h"
 #include "registration.h"
@@ -404,6 +406,11 @@ std::vector<signed char> find_lip_sides(const FaceModel& face) {
 }
 
 }  // namespace
+
+void prepare_fitting() {
+    static const std::future<void> kPrepared =
+        std::async(std::launch::async, [] { generic_skull(); });
+}
 
 Points spread_over_margins(const FaceModel& face, const Points& own) {
     if (own.cols() == face.node_count()) {

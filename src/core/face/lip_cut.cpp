@@ -20,6 +20,21 @@ constexpr double kLeast = 0.18;      // share of an edge that the cut keeps from
 constexpr double kApart = 1e-4;      // [mm] between the margins, so that they are not welded
 constexpr double kWholeMouth = 0.7;  // of the line's length must be grown together
 
+/// How far in front the lips lie along the line between them, per millimetre from the middle.
+double lip_front(double x) {
+    static const std::vector<double> kFronts = [] {
+        std::vector<double> fronts;
+        for (int k = 0; k <= static_cast<int>(HeadField::kMouthCorner) + 1; ++k) {
+            const double at = std::min<double>(k, HeadField::kMouthCorner);
+            fronts.push_back(average_head().front_point(at, average_head().lip_line(at)).z());
+        }
+        return fronts;
+    }();
+    const auto k = std::min(static_cast<std::size_t>(x), kFronts.size() - 2);
+    const double share = std::clamp(x - static_cast<double>(k), 0.0, 1.0);
+    return (1.0 - share) * kFronts[k] + share * kFronts[k + 1];
+}
+
 /// Height over the line between the lips of a place on the average head [mm]; nothing off the lips.
 std::optional<double> over_line(const Vec3& p) {
     const HeadField& head = average_head();
@@ -31,8 +46,7 @@ std::optional<double> over_line(const Vec3& p) {
     if (std::abs(p.y() - line) > 15.0) {
         return std::nullopt;
     }
-    const double front = head.front_point(std::min(x, HeadField::kMouthCorner), line).z();
-    if (p.z() < front - kBehind) {
+    if (p.z() < lip_front(x) - kBehind) {
         return std::nullopt;
     }
     const double height = p.y() - line;

@@ -233,6 +233,9 @@ bool looks_inward(const Vec3& p, const Vec3& normal) {
     if (depth > 14.0) {
         return true;  // no fit is that far off
     }
+    if (depth <= 4.0) {
+        return false;
+    }
     constexpr double kStep = 0.5;
     Vec3 outward;
     for (int axis = 0; axis < 3; ++axis) {
@@ -240,7 +243,7 @@ bool looks_inward(const Vec3& p, const Vec3& normal) {
         ahead[axis] += kStep;
         outward[axis] = average_head()(ahead) + depth;
     }
-    return depth > 4.0 && outward.dot(normal) < 0.0;
+    return outward.dot(normal) < 0.0;
 }
 
 double upper_lip_share(const Vec3& p, double softness, int side) {
