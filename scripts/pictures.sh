@@ -57,6 +57,9 @@ done
 montage "${shown[@]}" -tile 6x3 -geometry +2+2 "$work/presets.png"
 convert "$work/presets.png" -resize 1500x -quality 90 $out/expressions.jpg
 
+"$bin/myoface-cli" generate --seed 12 --sex m --age 41 --vertices 14000 --asymmetry 1.2 -o "$work/person.ply"
+xvfb-run -a -s '-screen 0 1600x1000x24' "$bin/myoface" "$work/person.ply" --landmarks-panel --screenshot $out/landmarks.png
+
 [ $# -ge 1 ] || exit 0
 scan=$1
 "$bin/myoface-cli" render "$scan" --size $size -o $out/scan-before.png
