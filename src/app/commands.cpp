@@ -53,7 +53,9 @@ ReshapeCommand::ReshapeCommand(FaceDocument& document, const Points& before, con
 void ReshapeCommand::apply(const Points& values) {
     Points rest = m_document.skinRest();
     for (std::size_t k = 0; k < m_nodes.size(); ++k) {
-        rest.col(m_nodes[k]) = values.col(static_cast<Eigen::Index>(k));
+        if (m_nodes[k] < rest.cols()) {  // margins of parted lips may be others after a new fit
+            rest.col(m_nodes[k]) = values.col(static_cast<Eigen::Index>(k));
+        }
     }
     m_document.setSkinRest(rest);
 }

@@ -22,8 +22,10 @@ LandmarkEditor::LandmarkEditor(FaceDocument& document, FaceView& view, LandmarkP
     connect(&panel, &LandmarkPanel::mirrorAsked, this, &LandmarkEditor::mirror);
     connect(&panel, &LandmarkPanel::detectionAsked, this, &LandmarkEditor::detect);
     connect(&view, &FaceView::handlePressed, this, [this](int handle) {
-        m_held = handle;
-        m_panel.select(m_names[static_cast<std::size_t>(handle)]);
+        if (static_cast<std::size_t>(handle) < m_names.size()) {
+            m_held = handle;
+            m_panel.select(m_names[static_cast<std::size_t>(handle)]);
+        }
     });
     connect(&view, &FaceView::handleMoved, this,
             [this](int handle, const SurfacePoint& where) { moved(handle, where, false); });
@@ -34,6 +36,10 @@ LandmarkEditor::LandmarkEditor(FaceDocument& document, FaceView& view, LandmarkP
         Q_EMIT changed();
         refit();
     });
+    // What is made while a fit runs belongs to the face too.
+    const auto outdated = [this] { m_again = m_again || m_job != nullptr; };
+    connect(&document, &FaceDocument::skinRestChanged, this, outdated);
+    connect(&document, &FaceDocument::rateChanged, this, outdated);
 }
 
 LandmarkEditor::~LandmarkEditor() = default;
@@ -42,6 +48,7 @@ void LandmarkEditor::setFace(FittedNet net) {
     m_job.reset();
     m_again = false;
     m_held = -1;
+    m_view.setHandles({});
     m_net = std::move(net);
     m_netStale = true;
     bind();

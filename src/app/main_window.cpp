@@ -461,6 +461,7 @@ void MainWindow::showFace(OpenResult& result) {
         m_view->setPickMode(false);
         m_guide->hide();
         m_springs = static_cast<int>(result.simulator->system().model.springs.size());
+        m_nodes = result.simulator->system().model.node_count();
         m_scanPanel->setFace(face, model.get(), m_springs);
         auto holder = std::make_shared<std::unique_ptr<Simulator>>(std::move(result.simulator));
         inWorker([holder](SimulationWorker& w) { w.setSimulator(std::move(*holder)); });
@@ -587,9 +588,8 @@ void MainWindow::showSnapshot() {
     if (!snapshot || !m_scene || !m_document.model()) {
         return;
     }
-    const Eigen::Index nodes = m_document.model()->node_count();
-    if (snapshot->positions.cols() < nodes) {
-        return;  // of a face that was closed meanwhile
+    if (snapshot->positions.cols() != m_nodes) {
+        return;  // of a face that was closed or fitted anew meanwhile
     }
     m_shown = snapshot;
     m_view->setSkinPositions(snapshot->positions);
@@ -645,6 +645,8 @@ void MainWindow::showRefitted(FitJob& job) {
     m_document.setModel(job.model(), job.simulator()->skin_rest());
     const FaceMassSpring& system = job.simulator()->system();
     m_springs = static_cast<int>(system.model.springs.size());
+    m_nodes = system.model.node_count();
+    m_shown.reset();
     m_view->setScene(nullptr);
     m_scene = std::make_unique<FaceScene>(job.model()->scan, m_document.opened()->texture);
     m_scene->set_face(job.model(), system.model.springs, system.chains);

@@ -116,6 +116,7 @@ private:
     std::unique_ptr<OpenJob> m_job;
     std::shared_ptr<const SimSnapshot> m_shown;
     int m_springs = 0;  ///< of the face that is shown
+    int m_nodes = 0;    ///< of its model, muscle chains in
     QString m_path, m_lastProblem;
     bool m_settled = true;
     bool m_before = false;

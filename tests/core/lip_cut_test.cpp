@@ -51,6 +51,7 @@ protected:
     ClosedLips()
         : scan_(std::make_shared<const Scan>(closed_scan())), face_(fit_face(scan_, landmarks())) {}
 
+public:
     static Landmarks landmarks() {
         Landmarks front = test::small_face().landmarks;
         std::erase_if(front, [](const auto& entry) {
@@ -59,6 +60,7 @@ protected:
         return front;
     }
 
+protected:
     Points posed(const char* expression, double intensity) const {
         Simulator simulator(face_);
         std::vector<double> rates(face_->muscles.size(), 0.0);
@@ -140,6 +142,24 @@ TEST_F(ClosedLips, CarryAShapeOfTheScansOwnNodes) {
     const Points all = spread_over_margins(*face_, own);
     ASSERT_EQ(all.cols(), face_->node_count());
     EXPECT_NEAR(all.row(2).minCoeff(), 1.5, 1e-12);
+}
+
+TEST(ClosedLipsOfAnInwardScan, KeepTheFilesWinding) {
+    TriangleMesh sheet = closed_scan().mesh;
+    sheet.triangles.row(0).swap(sheet.triangles.row(1));
+    Scan scan = test::scan_of(sheet);
+    examine(scan);
+    const auto face = fit_face(std::make_shared<const Scan>(scan), ClosedLips::landmarks());
+    ASSERT_GT(face->scan->faces.count(), scan.faces.count());
+    const Polygons& faces = face->scan->faces;
+    const Points& v = face->scan->mesh.vertices;
+    for (int f = 0; f < faces.count(); ++f) {
+        const auto k = static_cast<std::size_t>(faces.start[static_cast<std::size_t>(f)]);
+        const Vec3 a = v.col(faces.vertex[k]);
+        const Vec3 b = v.col(faces.vertex[k + 1]);
+        const Vec3 c = v.col(faces.vertex[k + 2]);
+        EXPECT_LE((b - a).cross(c - a).z(), 0.0) << f;
+    }
 }
 
 TEST(OpenLips, AreLeftAlone) {

@@ -6,14 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #include "myoface/base/error.h"
-#include "myoface/base/parallel.h"
 #include "myoface/face/generic_face.h"
 #include "myoface/mesh/bvh.h"
 

@@ -172,7 +172,9 @@ private:
         std::vector<int> root(n);
         const auto find = [&](int v) {
             while (root[static_cast<std::size_t>(v)] != v) {
-                v = root[static_cast<std::size_t>(v)];
+                int& up = root[static_cast<std::size_t>(v)];
+                up = root[static_cast<std::size_t>(up)];  // halves the way of the next search
+                v = up;
             }
             return v;
         };
@@ -336,17 +338,16 @@ private:
                 continue;
             }
             for (const int t : triangles_of[static_cast<std::size_t>(face)]) {
+                // In the file's own sense of turning, which the mesh may have mended: corners of a
+                // face rise in that sense.
                 std::array<Corner, 3> corners;
-                const std::array<int, 3> at = corners_of(scan_, t);
+                std::array<int, 3> at = corners_of(scan_, t);
+                if ((at[0] < at[1]) + (at[1] < at[2]) + (at[2] < at[0]) == 1) {
+                    std::swap(at[1], at[2]);
+                }
                 for (std::size_t c = 0; c < 3; ++c) {
-                    // In the order of the mesh, which may have been turned over.
-                    const int v = scan_.mesh.triangles(static_cast<Eigen::Index>(c), t);
-                    corners[c].vertex = v;
-                    for (const int k : at) {
-                        if (textured && old.vertex[static_cast<std::size_t>(k)] == v) {
-                            corners[c].uv = old.uv[static_cast<std::size_t>(k)];
-                        }
-                    }
+                    const auto k = static_cast<std::size_t>(at[c]);
+                    corners[c] = {old.vertex[k], textured ? old.uv[k] : -1};
                 }
                 for (const auto& piece : pieces(scan, corners)) {
                     emit({piece.begin(), piece.end()}, face);

@@ -73,14 +73,13 @@ public:
         const Person person = most_likely();
         const Points base = placed(person, face_.points.cols());
         Registration result;
-        result.agreement = person.agreement;
         report(0.7);
-        result.points = bent(base, person.place.rotation, {}, kBends);
-        result.distance = distances(result.points, person.place.rotation);
+        const Points points = bent(base, person.place.rotation, {}, kBends);
+        result.distance = distances(points, person.place.rotation);
         report(1.0);
         const Eigen::Index kept = kBends.back().nodes;
         result.warp = WarpCentres(face_.points.leftCols(kept), Eigen::VectorXd::Ones(kept))
-                          .towards(result.points.leftCols(kept));
+                          .towards(points.leftCols(kept));
         return result;
     }
 

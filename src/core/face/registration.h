@@ -26,10 +26,8 @@ LikelyPerson likely_person(const SurfaceSamples& samples);
 /// The face template brought onto a scan. Frame and unit: those of the samples, about the average
 /// head's.
 struct Registration {
-    Points points;             ///< 3×N: the template's points on the scan [mm]
     Eigen::VectorXd distance;  ///< N: how far the surface is from each, large where there is none
     SmoothWarp warp;           ///< average head -> scan, through the points
-    double agreement = 0.0;    ///< of the person, see LikelyPerson
 };
 
 /// Brings the template onto samples of a face: first the most likely person, from several
