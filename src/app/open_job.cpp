@@ -34,6 +34,7 @@ void OpenJob::cancel() {
 
 void OpenJob::run() {
     try {
+        const auto prepared = prepare_fitting();
         auto opened =
             std::make_shared<OpenedFace>(open_face(m_path.toStdString(), m_options, &m_progress));
         if (find_missing_landmarks(*opened, &m_progress)) {

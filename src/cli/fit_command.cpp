@@ -26,6 +26,7 @@ void add_fit(CLI::App& app) {
     command->add_option("--muscles-out", a->muscles, "muscle paths as JSON");
     command->add_option("--bone-out", a->bone, "bone surface as PLY or OBJ");
     command->callback([a] {
+        const auto prepared = prepare_fitting();
         OpenedFace opened = a->face.open();
         find_missing_landmarks(opened);
         const auto simulator = make_simulator(opened);

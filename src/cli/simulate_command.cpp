@@ -96,6 +96,7 @@ void add_simulate(CLI::App& app) {
             set_thread_count(a->threads);
         }
         const Plan plan = a->edits.edits();
+        const auto prepared = prepare_fitting();
         OpenedFace opened = a->face.open();
         find_missing_landmarks(opened);
         SimulatorOptions options;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -121,7 +122,9 @@ FittedNet fitted_net(const FaceModel& face, double spacing = 4.0);
 
 /// Builds what every fit needs of the average head, once per process, beside the caller: about a
 /// second of work that opening a scan need not wait for.
-void prepare_fitting();
+/// @return to be kept until the fit is made; it waits for the work where it goes out of scope, so
+/// that a process never ends while the work still goes on
+[[nodiscard]] std::future<void> prepare_fitting();
 
 /// Unit and axes of a scan as its landmarks imply them: the quarter turns nearest to the pose of
 /// the face and, where `mm_per_unit` is not known, the unit (snapped to a usual one within 20 %).

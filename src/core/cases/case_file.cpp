@@ -346,7 +346,6 @@ KnownDistance parse_known_distance(const std::string& text) {
 
 OpenedFace open_face(const std::string& path, const OpenOptions& options,
                      const Progress* progress) {
-    prepare_fitting();
     if (path == "generic") {
         return open_generic();
     }

@@ -407,9 +407,8 @@ std::vector<signed char> find_lip_sides(const FaceModel& face) {
 
 }  // namespace
 
-void prepare_fitting() {
-    static const std::future<void> kPrepared =
-        std::async(std::launch::async, [] { generic_skull(); });
+std::future<void> prepare_fitting() {
+    return std::async(std::launch::async, [] { generic_skull(); });
 }
 
 Points spread_over_margins(const FaceModel& face, const Points& own) {
@@ -522,6 +521,7 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
             progress->report(stage, share);
         }
     };
+    const std::future<void> prepared = prepare_fitting();
     report("Fitting the face", 0.0);
     auto face = std::make_shared<FaceModel>();
     face->landmarks = given;
