@@ -36,7 +36,7 @@ bool SetRatesCommand::mergeWith(const QUndoCommand* other) {
 
 ReshapeCommand::ReshapeCommand(FaceDocument& document, const Points& before, const Points& after,
                                const QString& text)
-    : QUndoCommand(text), m_document(document) {
+    : QUndoCommand(text), m_document(document), m_model(document.model()) {
     for (Eigen::Index i = 0; i < before.cols(); ++i) {
         if (before.col(i) != after.col(i)) {
             m_nodes.push_back(static_cast<int>(i));
@@ -50,12 +50,15 @@ ReshapeCommand::ReshapeCommand(FaceDocument& document, const Points& before, con
     }
 }
 
-void ReshapeCommand::apply(const Points& values) {
+void ReshapeCommand::apply(const Points& from, const Points& to) {
     Points rest = m_document.skinRest();
-    for (std::size_t k = 0; k < m_nodes.size(); ++k) {
-        if (m_nodes[k] < rest.cols()) {  // margins of parted lips may be others after a new fit
-            rest.col(m_nodes[k]) = values.col(static_cast<Eigen::Index>(k));
-        }
+    const auto& now = m_document.model();
+    if (!m_model || !now || m_model->skin.vertex == now->skin.vertex) {
+        rest(Eigen::all, m_nodes) = to;
+    } else if (m_model->own_vertices == now->own_vertices) {
+        Points moved = m_model->skin.mesh.vertices;
+        moved(Eigen::all, m_nodes) += to - from;
+        rest += shaped_skin(*now, shape_of_scan(*m_model, moved)) - now->skin.mesh.vertices;
     }
     m_document.setSkinRest(rest);
 }

@@ -30,19 +30,21 @@ private:
     int m_gesture;
 };
 
-/// A new resting shape of the skin: holds only the nodes that moved, before and after.
+/// A new resting shape of the skin: holds only the nodes that moved, before and after. On a face
+/// that was fitted anew meanwhile, with other nodes, the difference is carried over by the scan.
 class ReshapeCommand final : public QUndoCommand {
 public:
     ReshapeCommand(FaceDocument& document, const Points& before, const Points& after,
                    const QString& text);
 
-    void undo() override { apply(m_before); }
-    void redo() override { apply(m_after); }
+    void undo() override { apply(m_after, m_before); }
+    void redo() override { apply(m_before, m_after); }
 
 private:
-    void apply(const Points& values);
+    void apply(const Points& from, const Points& to);
 
     FaceDocument& m_document;
+    std::shared_ptr<const FaceModel> m_model;  ///< whose nodes they are
     std::vector<int> m_nodes;
     Points m_before, m_after;
 };

@@ -32,8 +32,7 @@ void FitJob::run() {
         m_model = fit_face(m_scan, m_landmarks, &m_progress);
         auto simulator = std::make_unique<Simulator>(m_model);
         if (m_shape.cols() > 0) {
-            simulator->set_skin_rest(simulator->skin_rest() +
-                                     spread_over_margins(*m_model, m_shape));
+            simulator->set_skin_rest(shaped_skin(*m_model, m_shape));
         }
         for (std::size_t m = 0; m < m_contractions.rate.size(); ++m) {
             if (m_contractions.rate[m] != 0.0) {

@@ -7,6 +7,7 @@
 #include <QString>
 #include <QThread>
 
+#include "myoface/face/fitted_net.h"
 #include "myoface/sim/simulator.h"
 
 namespace myoface {
@@ -38,7 +39,7 @@ private:
     std::shared_ptr<const Scan> m_scan;
     Landmarks m_landmarks;
     Contractions m_contractions;
-    Points m_shape;  ///< displacement of the nodes that the scan came with, or 3×0
+    Points m_shape;  ///< see shape_of_scan()
     Progress m_progress;
     std::shared_ptr<const FaceModel> m_model;
     std::unique_ptr<Simulator> m_simulator;

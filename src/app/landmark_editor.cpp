@@ -203,11 +203,8 @@ void LandmarkEditor::refit() {
         m_again = true;
         return;
     }
-    Points shape(3, 0);
-    if (const auto& model = m_document.model();
-        model && m_document.skinRest() != model->skin.mesh.vertices) {
-        shape = (m_document.skinRest() - model->skin.mesh.vertices).leftCols(model->own_nodes);
-    }
+    const auto& model = m_document.model();
+    Points shape = model ? shape_of_scan(*model, m_document.skinRest()) : Points(3, 0);
     m_job = std::make_unique<FitJob>(m_document.opened()->scan, m_document.landmarks(),
                                      m_document.contractions(), std::move(shape));
     connect(m_job.get(), &FitJob::finished, this, &LandmarkEditor::jobFinished);

@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include "myoface/face/fitted_net.h"
 #include "myoface/scene/scene.h"
 
 #include "face_document.h"

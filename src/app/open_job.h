@@ -9,6 +9,7 @@
 #include <QThread>
 
 #include "myoface/cases/case_file.h"
+#include "myoface/face/fitted_net.h"
 
 namespace myoface {
 

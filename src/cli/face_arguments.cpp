@@ -18,6 +18,8 @@ void FaceArguments::add_to(CLI::App& command) {
     command.add_option("--known", known,
                        "calibrates by a known distance: \"from=en_l; to=en_r; mm=31.5\", ends as "
                        "landmark, \"vertex N\" or x,y,z");
+    command.add_option("--tissue", tissue,
+                       "depth of the soft tissue over the bone: thin, mean or heavy");
 }
 
 OpenedFace FaceArguments::open() const {
@@ -33,6 +35,9 @@ OpenedFace FaceArguments::open() const {
     }
     if (!known.empty()) {
         options.known = parse_known_distance(known);
+    }
+    if (!tissue.empty()) {
+        options.tissue = tissue_thickness(tissue);
     }
     return open_face(face, options);
 }

@@ -13,7 +13,7 @@ namespace myoface::cli {
 
 /// FACE with --landmarks, --unit and --axes, as several commands take it.
 struct FaceArguments {
-    std::string face, landmarks, unit, axes, known;
+    std::string face, landmarks, unit, axes, known, tissue;
 
     void add_to(CLI::App& command);
     /// Opens the face. @throws Error

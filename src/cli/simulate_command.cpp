@@ -24,13 +24,7 @@ struct Arguments {
 };
 
 nlohmann::ordered_json drag_json(const FaceModel& face, const DragReport& drag) {
-    // Back from the welded node to a vertex of the file.
-    int vertex = -1;
-    for (std::size_t v = 0; v < face.skin.of_vertex.size() && vertex < 0; ++v) {
-        if (face.skin.of_vertex[v] == drag.node) {
-            vertex = static_cast<int>(v);
-        }
-    }
+    const int vertex = drag.node < 0 ? -1 : face.skin.vertex[static_cast<std::size_t>(drag.node)];
     const auto list = [](const Vec3& p) {
         return nlohmann::ordered_json::array({p.x(), p.y(), p.z()});
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "myoface/base/error.h"
 #include "myoface/face/face_model.h"
 #include "myoface/io/mesh_file.h"
 #include "myoface/mesh/bvh.h"
@@ -137,11 +138,14 @@ TEST_F(ClosedLips, AreWrittenAsTheyCameWhileTheyTouch) {
 }
 
 TEST_F(ClosedLips, CarryAShapeOfTheScansOwnNodes) {
-    Points own = Points::Zero(3, face_->own_nodes);
-    own.row(2).setConstant(1.5);
-    const Points all = spread_over_margins(*face_, own);
-    ASSERT_EQ(all.cols(), face_->node_count());
-    EXPECT_NEAR(all.row(2).minCoeff(), 1.5, 1e-12);
+    Points shape = Points::Zero(3, scan_->mesh.vertex_count());
+    shape.row(2).setConstant(1.5);
+    const Points skin = shaped_skin(*face_, shape);
+    ASSERT_EQ(skin.cols(), face_->node_count());
+    EXPECT_NEAR((skin - face_->skin.mesh.vertices).row(2).minCoeff(), 1.5, 1e-12);
+    EXPECT_TRUE(shape_of_scan(*face_, skin).isApprox(shape, 1e-12));
+    EXPECT_EQ(shape_of_scan(*face_, face_->skin.mesh.vertices).cols(), 0);
+    EXPECT_THROW(shaped_skin(*face_, Points::Zero(3, 5)), InvalidInput);
 }
 
 TEST(ClosedLipsOfAnInwardScan, KeepTheFilesWinding) {

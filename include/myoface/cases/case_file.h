@@ -26,7 +26,8 @@ struct OpenedFace {
     std::optional<FacePose> pose;        ///< where the face is on the scan, where it was looked for
     std::map<std::string, double> rates;  ///< muscle name -> contraction, from a case
     std::map<std::string, double> strengths;
-    Points shape;            ///< what a case had reshaped: 3×skin nodes, or 3×0
+    Points shape;  ///< what a case had reshaped, see shape_of_scan()
+    FitOptions fit;
     std::string name;        ///< for the window's title
     std::string scan_name;   ///< file name of the scan
     std::string scan_bytes;  ///< the scan's file, byte for byte
@@ -47,6 +48,7 @@ struct OpenOptions {
     std::optional<double> mm_per_unit;
     std::optional<Mat3> axes;
     std::optional<KnownDistance> known;  ///< wins over mm_per_unit
+    std::optional<TissueThickness> tissue;
 };
 
 /// Opens OBJ, PLY, STL, glTF, a .myoface case, or the word "generic". Without given landmarks a
@@ -69,7 +71,7 @@ std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened,
 /// What the user made of a face, as a case keeps it.
 struct CaseState {
     std::map<std::string, double> rates, strengths;  ///< only those off rest
-    Points shape;                                    ///< displacement of the resting skin, or 3×0
+    Points shape;                                    ///< see shape_of_scan()
 };
 CaseState case_state(const FaceModel& face, const Contractions& contractions,
                      const Points& skin_rest);

@@ -12,11 +12,11 @@
 #include "myoface/face/landmarks.h"
 #include "myoface/face/midplane.h"
 #include "myoface/face/muscle_atlas.h"
+#include "myoface/face/simulated_skin.h"
 #include "myoface/face/smooth_warp.h"
 #include "myoface/face/tissue.h"
 #include "myoface/io/scan.h"
 #include "myoface/mesh/adjacency.h"
-#include "myoface/mesh/weld.h"
 
 namespace myoface {
 
@@ -61,11 +61,10 @@ struct JawHinge {
 Vec3 opened(const JawHinge& hinge, double share, const Vec3& p);
 
 /// Everything about one face that does not change while it is simulated: anatomy on the scan.
-/// "Skin node" means a vertex of skin.mesh: the scan's main part with seams welded.
 struct FaceModel {
     /// The scan as it came, or with its lips parted: then the file's vertices first and in order.
     std::shared_ptr<const Scan> scan;
-    WeldedMesh skin;
+    SimulatedSkin skin;
     std::shared_ptr<const Adjacency> adjacency;
     Landmarks landmarks;
     Similarity to_generic;                 ///< scan -> size and pose of the average head
@@ -86,12 +85,18 @@ struct FaceModel {
     std::vector<std::pair<int, int>> lip_contacts;  ///< upper and lower node that touch
     /// Per skin node: 1 upper lip, -1 lower lip, 0 elsewhere, or everywhere where lips are fused.
     std::vector<signed char> lip_side;
-    /// Skin nodes that the scan came with; those of margins that were parted follow.
-    int own_nodes = 0;
+    /// Vertices and skin nodes that the scan came with; those of margins that were parted follow.
+    int own_vertices = 0, own_nodes = 0;
     Mat3 axes = Mat3::Identity();  ///< columns: the face's left, up and front
     Midplane midplane;
 
     int node_count() const { return skin.mesh.vertex_count(); }
+};
+
+struct FitOptions {
+    /// Of a scan with more vertices a coarser skin is simulated, and the scan follows it.
+    int finest = 40000;
+    TissueThickness tissue = TissueThickness::Mean;
 };
 
 /// Puts atlas, bone, regions and labels on a scan from landmarks: similarity, a smooth warp of the
@@ -102,23 +107,17 @@ struct FaceModel {
 ///         a face
 std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan,
                                           const Landmarks& landmarks,
-                                          const Progress* progress = nullptr);
+                                          const Progress* progress = nullptr,
+                                          const FitOptions& options = {});
 
 /// Where a place of the average head lies on this one [mm].
 Vec3 from_generic(const FaceModel& face, const Vec3& p);
 
-/// A displacement of the scan's own nodes for all nodes: margins of parted lips go along.
-/// @param own 3×own_nodes
-Points spread_over_margins(const FaceModel& face, const Points& own);
-
-/// The average head's front as a net on this face, and how far the scan is from it.
-struct FittedNet {
-    Points points;                             ///< 3×N [mm]
-    Eigen::VectorXd distance;                  ///< N, to the scan [mm]
-    std::vector<std::pair<int, int>> threads;  ///< neighbours
-};
-/// @param spacing of the net on the average head [mm]
-FittedNet fitted_net(const FaceModel& face, double spacing = 4.0);
+/// How a reshaped skin moves the vertices that the scan came with: 3×own_vertices, or 3×0 where
+/// nothing moved. Independent of which of them are nodes. @param skin 3×skin nodes
+Points shape_of_scan(const FaceModel& face, const Points& skin);
+/// The skin nodes of a face that was reshaped so. @throws InvalidInput when it is another scan's
+Points shaped_skin(const FaceModel& face, const Points& shape);
 
 /// Builds what every fit needs of the average head, once per process, beside the caller: about a
 /// second of work that opening a scan need not wait for.

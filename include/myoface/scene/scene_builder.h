@@ -6,7 +6,7 @@
 
 #include "myoface/io/scan.h"
 #include "myoface/io/skin_texture.h"
-#include "myoface/mesh/adjacency.h"
+#include "myoface/mesh/vertex_triangles.h"
 #include "myoface/scene/scene.h"
 
 namespace myoface {
@@ -23,25 +23,24 @@ public:
 
     /// Fills indices, colours, UV, positions, normals and folds of a layer.
     void fill(SurfaceLayer& layer, const Scan& scan, const SkinTexture* texture) const;
-    /// Moves a layer to new vertex positions (3×N of the scan, mm).
+    /// Moves a layer to new vertex positions (3×N of the scan, mm). What is off by less than a
+    /// tenth of a micrometre stays, and costs nothing.
     void move(SurfaceLayer& layer, const Points& vertices) const;
     int scan_vertex(int drawn) const { return source_[static_cast<std::size_t>(drawn)]; }
     int drawn_count() const { return static_cast<int>(source_.size()); }
 
 private:
-    void normals(SurfaceLayer& layer, const Points& vertices) const;
-
     std::vector<int> source_;           ///< drawn vertex -> scan vertex
     std::vector<int> source_uv_;        ///< drawn vertex -> UV, -1
     std::vector<int> source_material_;  ///< drawn vertex -> material, -1
     std::vector<std::uint32_t> indices_;
-    std::vector<int> welded_;   ///< scan vertex -> welded vertex, -1 unused
-    TriangleMesh welded_mesh_;  ///< its positions are scratch
-    std::vector<int> first_;    ///< welded vertex -> a scan vertex
-    std::shared_ptr<const Adjacency> adjacency_;
+    std::vector<int> welded_;  ///< scan vertex -> welded vertex, -1 unused
+    Triangles welded_triangles_;
+    std::vector<int> first_;     ///< welded vertex -> a scan vertex
+    VertexTriangles triangles_;  ///< at welded vertices
 };
 
 /// 0 on open skin … 1 deep in folds, for soft shadows: from the smoothed mean curvature.
-Eigen::VectorXf fold_depth(const TriangleMesh& mesh, const Adjacency& adjacency);
+Eigen::VectorXf fold_depth(const TriangleMesh& mesh);
 
 }  // namespace myoface

@@ -132,6 +132,12 @@ OpenedFace open_case(const std::string& path, const OpenOptions& options,
     OpenedFace face;
     face.name = fs::path(path).filename().string();
     face.scan_bytes = read_part(archive.handle, "scan", path, true);
+    if (manifest.contains("tissue_depth")) {
+        if (!manifest["tissue_depth"].is_string()) {
+            throw IoError(path + ": its tissue depth is no text.");
+        }
+        face.fit.tissue = tissue_thickness(manifest["tissue_depth"]);
+    }
     face.rates = settings(manifest, "contractions", kLeastContraction, kMostContraction, path);
     face.strengths = settings(manifest, "strengths", 0.0, 1.0, path);
     ReadOptions read;
@@ -303,49 +309,7 @@ OpenedFace open_generic() {
     return face;
 }
 
-}  // namespace
-
-KnownDistance parse_known_distance(const std::string& text) {
-    KnownDistance known;
-    const auto fail = [&] {
-        throw InvalidInput("The known distance '" + text +
-                           "' is not of the form \"from=PLACE; to=PLACE; mm=NUMBER\".");
-    };
-    std::istringstream parts(text);
-    for (std::string part; std::getline(parts, part, ';');) {
-        const std::size_t begin = part.find_first_not_of(' ');
-        const std::size_t equals = part.find('=');
-        if (begin == std::string::npos) {
-            continue;
-        }
-        if (equals == std::string::npos) {
-            fail();
-        }
-        const std::string key = part.substr(begin, equals - begin);
-        std::string value = part.substr(equals + 1);
-        value.erase(value.find_last_not_of(' ') + 1);
-        if (key == "from") {
-            known.from = value;
-        } else if (key == "to") {
-            known.to = value;
-        } else if (key == "mm") {
-            const auto [end, error] =
-                std::from_chars(value.data(), value.data() + value.size(), known.mm);
-            if (error != std::errc() || end != value.data() + value.size()) {
-                fail();
-            }
-        } else {
-            fail();
-        }
-    }
-    if (known.from.empty() || known.to.empty() || !(known.mm > 0.0 && known.mm < 1e5)) {
-        fail();
-    }
-    return known;
-}
-
-OpenedFace open_face(const std::string& path, const OpenOptions& options,
-                     const Progress* progress) {
+OpenedFace opened(const std::string& path, const OpenOptions& options, const Progress* progress) {
     if (path == "generic") {
         return open_generic();
     }
@@ -399,6 +363,56 @@ OpenedFace open_face(const std::string& path, const OpenOptions& options,
     return face;
 }
 
+}  // namespace
+
+KnownDistance parse_known_distance(const std::string& text) {
+    KnownDistance known;
+    const auto fail = [&] {
+        throw InvalidInput("The known distance '" + text +
+                           "' is not of the form \"from=PLACE; to=PLACE; mm=NUMBER\".");
+    };
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ';');) {
+        const std::size_t begin = part.find_first_not_of(' ');
+        const std::size_t equals = part.find('=');
+        if (begin == std::string::npos) {
+            continue;
+        }
+        if (equals == std::string::npos) {
+            fail();
+        }
+        const std::string key = part.substr(begin, equals - begin);
+        std::string value = part.substr(equals + 1);
+        value.erase(value.find_last_not_of(' ') + 1);
+        if (key == "from") {
+            known.from = value;
+        } else if (key == "to") {
+            known.to = value;
+        } else if (key == "mm") {
+            const auto [end, error] =
+                std::from_chars(value.data(), value.data() + value.size(), known.mm);
+            if (error != std::errc() || end != value.data() + value.size()) {
+                fail();
+            }
+        } else {
+            fail();
+        }
+    }
+    if (known.from.empty() || known.to.empty() || !(known.mm > 0.0 && known.mm < 1e5)) {
+        fail();
+    }
+    return known;
+}
+
+OpenedFace open_face(const std::string& path, const OpenOptions& options,
+                     const Progress* progress) {
+    OpenedFace face = opened(path, options, progress);
+    if (options.tissue) {
+        face.fit.tissue = *options.tissue;
+    }
+    return face;
+}
+
 bool find_missing_landmarks(OpenedFace& opened, const Progress* progress) {
     constexpr double kSureEnough = 0.4;
     if (opened.landmarks) {
@@ -429,8 +443,8 @@ std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened, const Simula
                            ": no face was found on this scan by its shape; give a landmark file "
                            "with --landmarks, or place the points in the window.");
     }
-    auto simulator =
-        std::make_unique<Simulator>(fit_face(opened.scan, *opened.landmarks, progress), options);
+    auto simulator = std::make_unique<Simulator>(
+        fit_face(opened.scan, *opened.landmarks, progress, opened.fit), options);
     const auto& muscles = simulator->face().muscles;
     for (std::size_t m = 0; m < muscles.size(); ++m) {
         const auto rate = opened.rates.find(muscles[m].traits.name);
@@ -443,8 +457,7 @@ std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened, const Simula
         }
     }
     if (opened.shape.cols() > 0) {
-        simulator->set_skin_rest(simulator->skin_rest() +
-                                 spread_over_margins(simulator->face(), opened.shape));
+        simulator->set_skin_rest(shaped_skin(simulator->face(), opened.shape));
     }
     return simulator;
 }
@@ -461,10 +474,7 @@ CaseState case_state(const FaceModel& face, const Contractions& contractions,
             state.strengths[name] = contractions.strength[m];
         }
     }
-    const Points moved = skin_rest - face.skin.mesh.vertices;
-    if (moved.cwiseAbs().maxCoeff() > 0.0) {
-        state.shape = moved.leftCols(face.own_nodes);
-    }
+    state.shape = shape_of_scan(face, skin_rest);
     return state;
 }
 
@@ -493,6 +503,7 @@ void write_case(const std::filesystem::path& file, const OpenedFace& opened,
             value = {{"xyz", value}, {"est_error_mm", opened.landmarks->at(name).error_mm}};
         }
     }
+    manifest["tissue_depth"] = thickness_name(opened.fit.tissue);
     manifest["contractions"] = state.rates;
     manifest["strengths"] = state.strengths;
     const std::string shape(reinterpret_cast<const char*>(state.shape.data()),

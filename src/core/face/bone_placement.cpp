@@ -48,6 +48,18 @@ Shifts follow_skin(const FaceModel& face, const Skull& skull, const Points& skin
     return shifts;
 }
 
+/// Bone that lies near its skin goes deeper under more tissue, and comes nearer under less.
+void thicken(Shifts& shifts, const Points& bone, const Points& skin, TissueThickness thickness) {
+    constexpr double kDeepest = 26.0;  // [mm] what lies further in is not the outside of the bone
+    for (Eigen::Index v = 0; v < bone.cols(); ++v) {
+        const Vec3 inward = bone.col(v) - skin.col(v);
+        const double depth = inward.norm();
+        if (depth < kDeepest) {
+            shifts.shift.col(v) += (thickness_factor(thickness, depth) - 1.0) * inward;
+        }
+    }
+}
+
 /// Spreads the shifts over the bone: where there is no scan the neighbours' is taken.
 Points smoothed(const Shifts& shifts, const Adjacency& adjacency) {
     Points now = shifts.shift;
@@ -99,7 +111,7 @@ std::vector<int> lower_mouth_parts(const FaceModel& face,
                                    const std::function<Vec3(const Vec3&)>& from_generic) {
     const Scan& scan = *face.scan;
     const auto parts = scan.findings.parts.size();
-    if (scan.triangle_part.empty() || parts < 2 || face.skin.of_triangle.empty()) {
+    if (scan.triangle_part.empty() || parts < 2 || face.skin.part < 0) {
         return {};
     }
     std::vector<Vec3> sum(parts, Vec3::Zero());
@@ -113,10 +125,9 @@ std::vector<int> lower_mouth_parts(const FaceModel& face,
     }
     // The place between the rows of teeth, in this face's axes.
     const Vec3 middle = from_generic({0.0, -51.4, 75.0});
-    const int skin = scan.triangle_part[static_cast<std::size_t>(face.skin.of_triangle.front())];
     std::vector<char> lower(parts, 0);
     for (std::size_t part = 0; part < parts; ++part) {
-        if (static_cast<int>(part) == skin || count[part] == 0.0) {
+        if (static_cast<int>(part) == face.skin.part || count[part] == 0.0) {
             continue;
         }
         const Vec3 off =
@@ -133,7 +144,7 @@ std::vector<int> lower_mouth_parts(const FaceModel& face,
         }
         for (int c = 0; c < 3; ++c) {
             const int v = scan.mesh.triangles(c, t);
-            if (taken[static_cast<std::size_t>(v)] == 0 && face.skin.of_vertex[v] < 0) {
+            if (taken[static_cast<std::size_t>(v)] == 0 && face.skin.between(0, v) < 0) {
                 taken[static_cast<std::size_t>(v)] = 1;
                 vertices.push_back(v);
             }
@@ -144,7 +155,8 @@ std::vector<int> lower_mouth_parts(const FaceModel& face,
 
 }  // namespace
 
-void place_skull(FaceModel& face, const std::function<Vec3(const Vec3&)>& from_generic) {
+void place_skull(FaceModel& face, const std::function<Vec3(const Vec3&)>& from_generic,
+                 TissueThickness thickness) {
     const Skull& skull = generic_skull();
     const int n = skull.mesh.vertex_count();
     face.bone = skull.mesh;
@@ -157,7 +169,9 @@ void place_skull(FaceModel& face, const std::function<Vec3(const Vec3&)>& from_g
         }
     });
     static const Adjacency kAdjacency(generic_skull().mesh);
-    Points shift = smoothed(follow_skin(face, skull, skin), kAdjacency);
+    Shifts shifts = follow_skin(face, skull, skin);
+    thicken(shifts, face.bone.vertices, skin, thickness);
+    Points shift = smoothed(shifts, kAdjacency);
     move_teeth(shift, skull);
     face.bone.vertices += shift;
 

@@ -125,6 +125,29 @@ TriangleMesh outer_skin(const FaceModel& face) {
 
 namespace {
 
+/// Ironed out across a crease a fibre could come out of the skin. It goes in again as a whole, a
+/// bit deeper than it was out: the nearest place under the skin may be on the crease's other side,
+/// which would make a kink.
+void sink(Points& path, Points outward, const SkinSurface& skin) {
+    constexpr int kTimes = 4;
+    constexpr double kUnder = 0.25;  // of the tissue's depth
+    even_out(outward);
+    for (int time = 0; time < kTimes; ++time) {
+        Eigen::VectorXd down = Eigen::VectorXd::Zero(path.cols());
+        for (Eigen::Index k = 1; k + 2 < path.cols(); ++k) {
+            const UnderSkin place = under_skin(skin, path.col(k), kUnder);
+            down[k] = std::max(0.0, (Vec3(path.col(k)) - place.point).dot(place.outward));
+        }
+        if (down.isZero(0.0)) {
+            return;
+        }
+        for (Eigen::Index k = 1; k + 2 < path.cols(); ++k) {
+            const double beside = 0.5 * std::max(down[k - 1], down[k + 1]);
+            path.col(k) -= std::max(down[k], beside) * outward.col(k).normalized();
+        }
+    }
+}
+
 /// Puts a fibre under the skin: its depth goes from the bone end's to the skin end's share.
 struct PlacedFibre {
     Points path, outward;
@@ -142,12 +165,8 @@ PlacedFibre place_fibre(const SkinSurface& skin, const Points& warped, const Atl
         fibre.outward.col(k) = place.outward;
     }
     even_out(fibre.path);
-    // Ironed out across a crease it could come out of the skin.
-    for (int k = 1; k + 1 < kParts && !entry.deep; ++k) {
-        const UnderSkin place = under_skin(skin, fibre.path.col(k), 0.25);
-        if ((Vec3(fibre.path.col(k)) - place.point).dot(place.outward) > 0.0) {
-            fibre.path.col(k) = place.point;
-        }
+    if (!entry.deep) {
+        sink(fibre.path, fibre.outward, skin);
     }
     return fibre;
 }

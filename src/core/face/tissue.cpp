@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "myoface/base/error.h"
 #include "myoface/face/smooth_warp.h"
 
 #include "head/head_mesh.h"
@@ -256,14 +257,38 @@ double upper_lip_share(const Vec3& p, double softness, int side) {
     return mixed(upper, 0.5, beside);
 }
 
-Eigen::VectorXd tissue_depths(const Points& generic) {
+TissueThickness tissue_thickness(const std::string& name) {
+    for (const TissueThickness thickness :
+         {TissueThickness::Thin, TissueThickness::Mean, TissueThickness::Heavy}) {
+        if (name == thickness_name(thickness)) {
+            return thickness;
+        }
+    }
+    throw InvalidInput("There is no tissue depth named '" + name + "': thin, mean or heavy.");
+}
+
+const char* thickness_name(TissueThickness thickness) {
+    return thickness == TissueThickness::Thin    ? "thin"
+           : thickness == TissueThickness::Heavy ? "heavy"
+                                                 : "mean";
+}
+
+double thickness_factor(TissueThickness thickness, double depth) {
+    const double spread = mixed(0.15, 0.35, smooth_step(6.0, 16.0, depth));
+    return thickness == TissueThickness::Thin    ? 1.0 - 0.8 * spread
+           : thickness == TissueThickness::Heavy ? 1.0 + spread
+                                                 : 1.0;
+}
+
+Eigen::VectorXd tissue_depths(const Points& generic, TissueThickness thickness) {
     static const SmoothWarp kDepth = [] {
         const DepthSites& sites = depth_sites();
         Points to = Points::Zero(3, sites.places.cols());
         to.row(0) = sites.depths.transpose();
         return SmoothWarp(sites.places, to, Eigen::VectorXd::Zero(to.cols()), 0.0);
     }();
-    return kDepth(generic).row(0).transpose().cwiseMax(2.5).cwiseMin(24.0);
+    const Eigen::VectorXd mean = kDepth(generic).row(0).transpose().cwiseMax(2.5).cwiseMin(24.0);
+    return mean.unaryExpr([&](double depth) { return thickness_factor(thickness, depth) * depth; });
 }
 
 }  // namespace myoface

@@ -122,10 +122,7 @@ void FaceScene::show_loose_parts(bool shown) {
         drawn = all;
         return;
     }
-    const int face =
-        face_ && !face_->skin.of_triangle.empty()
-            ? scan_->triangle_part[static_cast<std::size_t>(face_->skin.of_triangle.front())]
-            : 0;
+    const int face = face_ ? std::max(face_->skin.part, 0) : 0;
     drawn.clear();
     for (std::size_t t = 0; t < scan_->triangle_part.size(); ++t) {
         if (scan_->triangle_part[t] == face) {

@@ -3,13 +3,48 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <limits>
 #include <map>
+#include <span>
 
 #include "myoface/base/parallel.h"
+#include "myoface/mesh/adjacency.h"
+#include "myoface/mesh/coarse_mesh.h"
 #include "myoface/mesh/normals.h"
 #include "myoface/mesh/weld.h"
 
 namespace myoface {
+namespace {
+
+Eigen::VectorXf fold_depth_everywhere(const TriangleMesh& mesh) {
+    const Adjacency adjacency(mesh);
+    // How far the surroundings stand out over a point: smoothed position minus position, along the
+    // normal, at two scales.
+    const Points normal = vertex_normals(mesh, adjacency);
+    Eigen::VectorXf folds = Eigen::VectorXf::Zero(mesh.vertex_count());
+    double scale = 0.0;
+    int edges = 0;
+    for (const MeshEdge& edge : adjacency.edges()) {
+        scale += (mesh.vertices.col(edge.vertices[0]) - mesh.vertices.col(edge.vertices[1])).norm();
+        ++edges;
+    }
+    const double edge_length = edges > 0 ? scale / edges : 1.0;
+    // Umbrella passes reach about edge · √passes: aim at 3.5 mm and 9 mm.
+    for (const auto& [reach, full] : {std::pair(3.5, 1.1), std::pair(9.0, 4.2)}) {
+        const double ratio = reach / std::max(edge_length, 1e-6);
+        const int passes = std::clamp(static_cast<int>(ratio * ratio * 1.5), 1, 400);
+        const Points around = smoothed(mesh.vertices, adjacency, passes);
+        for (int v = 0; v < mesh.vertex_count(); ++v) {
+            const double height = (around.col(v) - mesh.vertices.col(v)).dot(normal.col(v));
+            const auto depth = static_cast<float>(std::clamp(height / full, 0.0, 1.0));
+            folds[v] = 1.0F - (1.0F - folds[v]) * (1.0F - 0.75F * depth);
+        }
+    }
+    return folds;
+}
+
+}  // namespace
 
 SkinDrawing::SkinDrawing(const Scan& scan) {
     const bool uv = !scan.faces.uv.empty();
@@ -49,14 +84,14 @@ SkinDrawing::SkinDrawing(const Scan& scan) {
     }
     WeldedMesh welded = weld(scan.mesh);
     welded_ = std::move(welded.of_vertex);
-    welded_mesh_ = std::move(welded.mesh);
-    first_.assign(static_cast<std::size_t>(welded_mesh_.vertex_count()), 0);
+    triangles_ = VertexTriangles(welded.mesh);
+    welded_triangles_ = std::move(welded.mesh.triangles);
+    first_.assign(static_cast<std::size_t>(welded.mesh.vertex_count()), 0);
     for (int v = n - 1; v >= 0; --v) {
         if (welded_[v] >= 0) {
             first_[welded_[v]] = v;
         }
     }
-    adjacency_ = std::make_shared<Adjacency>(welded_mesh_);
 }
 
 void SkinDrawing::fill(SurfaceLayer& layer, const Scan& scan, const SkinTexture* texture) const {
@@ -75,66 +110,73 @@ void SkinDrawing::fill(SurfaceLayer& layer, const Scan& scan, const SkinTexture*
                                       scan.uv.col(t))
                    : Eigen::Vector2f(0.0F, 0.0F);
     }
-    layer.positions.resize(3, n);
-    layer.normals.resize(3, n);
+    layer.positions.setConstant(3, n, std::numeric_limits<float>::max());  // all are to be moved
+    layer.normals.setZero(3, n);
+    layer.normals.row(2).setOnes();
     layer.cavity = Eigen::VectorXf::Zero(n);
-    if (adjacency_) {
-        const Eigen::VectorXf folds = fold_depth(welded_mesh_, *adjacency_);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const int w = welded_[source_[static_cast<std::size_t>(i)]];
-            layer.cavity[i] = w >= 0 ? folds[w] : 0.0F;
-        }
+    const Eigen::VectorXf folds =
+        fold_depth({scan.mesh.vertices(Eigen::all, first_), welded_triangles_});
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const int w = welded_[source_[static_cast<std::size_t>(i)]];
+        layer.cavity[i] = w >= 0 ? folds[w] : 0.0F;
     }
     move(layer, scan.mesh.vertices);
 }
 
 void SkinDrawing::move(SurfaceLayer& layer, const Points& vertices) const {
+    constexpr double kUnseen = 1e-4;  // [mm]
+    // Which welded vertices moved, and which normals are stale for it. Several threads may set one
+    // flag.
+    std::vector<char> stale(first_.size(), 0);
+    const auto set = [&](int w) {
+        std::atomic_ref(stale[static_cast<std::size_t>(w)]).store(1, std::memory_order_relaxed);
+    };
     parallel_for(drawn_count(), 4096, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
-            layer.positions.col(i) = vertices.col(source_[i]).cast<float>();
+            const Vec3 to = vertices.col(source_[i]);
+            if ((layer.positions.col(i).cast<double>() - to).cwiseAbs().maxCoeff() < kUnseen) {
+                continue;
+            }
+            layer.positions.col(i) = to.cast<float>();
+            const int w = welded_[source_[i]];
+            for (const int t : w >= 0 ? triangles_.at(w) : std::span<const int>()) {
+                for (int c = 0; c < 3; ++c) {
+                    set(welded_triangles_(c, t));
+                }
+            }
         }
     });
-    normals(layer, vertices);
-}
-
-void SkinDrawing::normals(SurfaceLayer& layer, const Points& vertices) const {
-    TriangleMesh moved;
-    moved.triangles = welded_mesh_.triangles;
-    moved.vertices.resize(3, welded_mesh_.vertex_count());
-    for (int w = 0; w < welded_mesh_.vertex_count(); ++w) {
-        moved.vertices.col(w) = vertices.col(first_[w]);
-    }
-    const Points normal = vertex_normals(moved, *adjacency_);
+    const auto corner = [&](int c, int t) { return vertices.col(first_[welded_triangles_(c, t)]); };
     parallel_for(drawn_count(), 4096, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             const int w = welded_[source_[i]];
-            layer.normals.col(i) =
-                w >= 0 ? Eigen::Vector3f(normal.col(w).cast<float>()) : Eigen::Vector3f(0, 0, 1);
+            if (w < 0 || stale[static_cast<std::size_t>(w)] == 0) {
+                continue;
+            }
+            Vec3 sum = Vec3::Zero();
+            for (const int t : triangles_.at(w)) {
+                sum += (corner(1, t) - corner(0, t)).cross(corner(2, t) - corner(0, t));
+            }
+            const double length = sum.norm();
+            layer.normals.col(i) = length > 0.0 ? Eigen::Vector3f((sum / length).cast<float>())
+                                                : Eigen::Vector3f(0, 0, 1);
         }
     });
 }
 
-Eigen::VectorXf fold_depth(const TriangleMesh& mesh, const Adjacency& adjacency) {
-    // How far the surroundings stand out over a point: smoothed position minus position, along the
-    // normal, at two scales.
-    const Points normal = vertex_normals(mesh, adjacency);
-    Eigen::VectorXf folds = Eigen::VectorXf::Zero(mesh.vertex_count());
-    double scale = 0.0;
-    int edges = 0;
-    for (const MeshEdge& edge : adjacency.edges()) {
-        scale += (mesh.vertices.col(edge.vertices[0]) - mesh.vertices.col(edge.vertices[1])).norm();
-        ++edges;
+Eigen::VectorXf fold_depth(const TriangleMesh& mesh) {
+    constexpr int kFinest = 60000;
+    constexpr float kSpacing = 1.2F;  // [mm] finer folds throw no soft shadow
+    if (mesh.vertex_count() <= kFinest) {
+        return fold_depth_everywhere(mesh);
     }
-    const double edge_length = edges > 0 ? scale / edges : 1.0;
-    // Umbrella passes reach about edge · √passes: aim at 3.5 mm and 9 mm.
-    for (const auto& [reach, full] : {std::pair(3.5, 1.1), std::pair(9.0, 4.2)}) {
-        const double ratio = reach / std::max(edge_length, 1e-6);
-        const int passes = std::clamp(static_cast<int>(ratio * ratio * 1.5), 1, 400);
-        const Points around = smoothed(mesh.vertices, adjacency, passes);
-        for (int v = 0; v < mesh.vertex_count(); ++v) {
-            const double height = (around.col(v) - mesh.vertices.col(v)).dot(normal.col(v));
-            const auto depth = static_cast<float>(std::clamp(height / full, 0.0, 1.0));
-            folds[v] = 1.0F - (1.0F - folds[v]) * (1.0F - 0.75F * depth);
+    const CoarseMesh coarse =
+        coarsen(mesh, Eigen::VectorXf::Constant(mesh.vertex_count(), kSpacing));
+    const Eigen::VectorXf known = fold_depth_everywhere(coarse.mesh);
+    Eigen::VectorXf folds = Eigen::VectorXf::Zero(mesh.vertex_count());
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        for (int k = 0; k < 3 && coarse.between(k, v) >= 0; ++k) {
+            folds[v] += coarse.shares(k, v) * known[coarse.between(k, v)];
         }
     }
     return folds;

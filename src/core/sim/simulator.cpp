@@ -271,13 +271,7 @@ void Simulator::fill_motion(StepReport& report) const {
 }
 
 Points scan_positions(const FaceModel& face, const Points& node_positions, double jaw) {
-    Points result = face.scan->mesh.vertices;
-    for (int v = 0; v < face.scan->mesh.vertex_count(); ++v) {
-        const int node = face.skin.of_vertex[v];
-        if (node >= 0) {
-            result.col(v) += node_positions.col(node) - face.skin.mesh.vertices.col(node);
-        }
-    }
+    Points result = follow(face.skin, *face.adjacency, face.scan->mesh.vertices, node_positions);
     for (const int v : jaw > 0.0 ? face.jaw_vertices : std::vector<int>()) {
         result.col(v) = opened(face.jaw, jaw, result.col(v));
     }
