@@ -62,4 +62,21 @@ private:
     Landmarks m_before, m_after;
 };
 
+/// Another depth of the soft tissue over the bone; the face is fitted anew.
+class SetTissueCommand final : public QUndoCommand {
+public:
+    SetTissueCommand(FaceDocument& document, TissueThickness tissue, const QString& text)
+        : QUndoCommand(text),
+          m_document(document),
+          m_before(document.fit().tissue),
+          m_after(tissue) {}
+
+    void undo() override { m_document.setTissue(m_before); }
+    void redo() override { m_document.setTissue(m_after); }
+
+private:
+    FaceDocument& m_document;
+    TissueThickness m_before, m_after;
+};
+
 }  // namespace myoface

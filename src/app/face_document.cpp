@@ -14,6 +14,7 @@ void FaceDocument::setFace(std::shared_ptr<const OpenedFace> opened,
     m_contractions = contractions;
     m_skinRest = skinRest;
     m_landmarks = m_opened && m_opened->landmarks ? *m_opened->landmarks : Landmarks();
+    m_fit = m_opened ? m_opened->fit : FitOptions();
     Q_EMIT faceChanged();
 }
 
@@ -30,6 +31,20 @@ void FaceDocument::setSkinRest(const Points& skinRest) {
 void FaceDocument::setLandmarks(const Landmarks& landmarks) {
     m_landmarks = landmarks;
     Q_EMIT landmarksChanged();
+}
+
+void FaceDocument::setTissue(TissueThickness tissue) {
+    m_fit.tissue = tissue;
+    Q_EMIT tissueChanged();
+}
+
+OpenedFace FaceDocument::asSaved() const {
+    OpenedFace face = *m_opened;
+    if (!m_landmarks.empty()) {
+        face.landmarks = m_landmarks;
+    }
+    face.fit = m_fit;
+    return face;
 }
 
 void FaceDocument::setModel(std::shared_ptr<const FaceModel> model, const Points& skinRest) {

@@ -28,12 +28,16 @@ public:
     const Points& skinRest() const { return m_skinRest; }
     /// As they were found, opened, or placed since.
     const Landmarks& landmarks() const { return m_landmarks; }
+    const FitOptions& fit() const { return m_fit; }
     QUndoStack* undoStack() { return &m_undoStack; }
 
     // For commands.
     void setRate(int muscle, double rate);
     void setSkinRest(const Points& skinRest);
     void setLandmarks(const Landmarks& landmarks);
+    void setTissue(TissueThickness tissue);
+    /// The face as it is to be saved: as opened, with what was placed and chosen since.
+    OpenedFace asSaved() const;
 
     /// The same scan fitted anew; the history goes on.
     void setModel(std::shared_ptr<const FaceModel> model, const Points& skinRest);
@@ -43,6 +47,7 @@ Q_SIGNALS:
     void rateChanged(int muscle, double rate);
     void skinRestChanged();
     void landmarksChanged();
+    void tissueChanged();
 
 private:
     std::shared_ptr<const OpenedFace> m_opened;
@@ -50,6 +55,7 @@ private:
     Contractions m_contractions;
     Points m_skinRest;
     Landmarks m_landmarks;
+    FitOptions m_fit;
     QUndoStack m_undoStack;
 };
 

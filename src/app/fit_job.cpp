@@ -6,10 +6,11 @@
 
 namespace myoface {
 
-FitJob::FitJob(std::shared_ptr<const Scan> scan, Landmarks landmarks, Contractions contractions,
-               Points shape)
+FitJob::FitJob(std::shared_ptr<const Scan> scan, Landmarks landmarks, const FitOptions& options,
+               Contractions contractions, Points shape)
     : m_scan(std::move(scan)),
       m_landmarks(std::move(landmarks)),
+      m_options(options),
       m_contractions(std::move(contractions)),
       m_shape(std::move(shape)),
       m_progress([](const std::string&, double) {}) {}
@@ -29,7 +30,7 @@ void FitJob::start() {
 
 void FitJob::run() {
     try {
-        m_model = fit_face(m_scan, m_landmarks, &m_progress);
+        m_model = fit_face(m_scan, m_landmarks, &m_progress, m_options);
         auto simulator = std::make_unique<Simulator>(m_model);
         if (m_shape.cols() > 0) {
             simulator->set_skin_rest(shaped_skin(*m_model, m_shape));

@@ -17,8 +17,8 @@ class FitJob final : public QObject {
     Q_OBJECT
 
 public:
-    FitJob(std::shared_ptr<const Scan> scan, Landmarks landmarks, Contractions contractions,
-           Points shape);
+    FitJob(std::shared_ptr<const Scan> scan, Landmarks landmarks, const FitOptions& options,
+           Contractions contractions, Points shape);
     ~FitJob() override;
     FitJob(const FitJob&) = delete;
     FitJob& operator=(const FitJob&) = delete;
@@ -38,6 +38,7 @@ private:
 
     std::shared_ptr<const Scan> m_scan;
     Landmarks m_landmarks;
+    FitOptions m_options;
     Contractions m_contractions;
     Points m_shape;  ///< see shape_of_scan()
     Progress m_progress;

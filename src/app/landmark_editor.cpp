@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "myoface/base/error.h"
-#include "myoface/face/landmark_detection.h"
+#include "myoface/mesh/bvh.h"
 
 #include "commands.h"
 #include "face_view.h"
@@ -36,6 +35,16 @@ LandmarkEditor::LandmarkEditor(FaceDocument& document, FaceView& view, LandmarkP
         Q_EMIT changed();
         refit();
     });
+    connect(&document, &FaceDocument::tissueChanged, this, [this] {
+        m_panel.setTissue(m_document.fit().tissue);
+        refit();
+    });
+    connect(&panel, &LandmarkPanel::tissueChosen, this, [this](TissueThickness tissue) {
+        if (m_document.model() && tissue != m_document.fit().tissue) {
+            m_document.undoStack()->push(
+                new SetTissueCommand(m_document, tissue, tr("depth of the soft tissue")));
+        }
+    });
     // What is made while a fit runs belongs to the face too.
     const auto outdated = [this] { m_again = m_again || m_job != nullptr; };
     connect(&document, &FaceDocument::skinRestChanged, this, outdated);
@@ -46,6 +55,8 @@ LandmarkEditor::~LandmarkEditor() = default;
 
 void LandmarkEditor::setFace(FittedNet net) {
     m_job.reset();
+    m_detection.reset();
+    m_panel.setDetecting(false);
     m_again = false;
     m_held = -1;
     m_view.setHandles({});
@@ -59,6 +70,7 @@ void LandmarkEditor::bind() {
     m_names.clear();
     m_where.clear();
     m_panel.setLandmarks(m_document.landmarks());
+    m_panel.setTissue(m_document.fit().tissue);
     m_panel.setEnabled(m_document.model() != nullptr);
     if (!m_document.model()) {
         return;
@@ -176,13 +188,22 @@ void LandmarkEditor::mirror(const std::string& name) {
 }
 
 void LandmarkEditor::detect() {
-    if (!m_document.opened()) {
+    if (!m_document.opened() || m_detection) {
         return;
     }
-    try {
-        push(detect_landmarks(m_document.opened()->scan->mesh).landmarks, tr("find landmarks"));
-    } catch (const Error& error) {
-        Q_EMIT problem(QString::fromUtf8(error.what()));
+    m_detection = std::make_unique<DetectJob>(m_document.opened()->scan);
+    connect(m_detection.get(), &DetectJob::finished, this, &LandmarkEditor::detected);
+    m_panel.setDetecting(true);
+    m_detection->start();
+}
+
+void LandmarkEditor::detected() {
+    const std::unique_ptr<DetectJob> job = std::move(m_detection);
+    m_panel.setDetecting(false);
+    if (job->landmarks()) {
+        push(*job->landmarks(), tr("find landmarks"));
+    } else {
+        Q_EMIT problem(job->problem());
     }
 }
 
@@ -206,7 +227,8 @@ void LandmarkEditor::refit() {
     const auto& model = m_document.model();
     Points shape = model ? shape_of_scan(*model, m_document.skinRest()) : Points(3, 0);
     m_job = std::make_unique<FitJob>(m_document.opened()->scan, m_document.landmarks(),
-                                     m_document.contractions(), std::move(shape));
+                                     m_document.fit(), m_document.contractions(),
+                                     std::move(shape));
     connect(m_job.get(), &FitJob::finished, this, &LandmarkEditor::jobFinished);
     m_job->start();
 }

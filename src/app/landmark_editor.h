@@ -10,6 +10,7 @@
 #include "myoface/face/fitted_net.h"
 #include "myoface/scene/scene.h"
 
+#include "detect_job.h"
 #include "face_document.h"
 #include "fit_job.h"
 
@@ -34,7 +35,7 @@ public:
     void setFace(FittedNet net);
     /// Draws markers and net into a scene whose skin stands at `positions`.
     void draw(SceneData& scene, const Points& positions);
-    bool fitting() const { return m_job != nullptr; }
+    bool fitting() const { return m_job != nullptr || m_detection != nullptr; }
 
 Q_SIGNALS:
     /// Markers or net have changed.
@@ -49,6 +50,7 @@ private:
     void accept(const std::string& name);
     void mirror(const std::string& name);
     void detect();
+    void detected();
     void look(const std::string& name);
     void refit();
     void jobFinished();
@@ -63,6 +65,7 @@ private:
     bool m_netStale = false;  ///< not yet in the scene
     std::uint64_t m_netVersion = 0;
     std::unique_ptr<FitJob> m_job;
+    std::unique_ptr<DetectJob> m_detection;
     bool m_again = false;  ///< landmarks changed while a fit was running
 };
 

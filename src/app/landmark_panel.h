@@ -4,12 +4,14 @@
 #include <string>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QWidget>
 
 #include "myoface/face/landmarks.h"
+#include "myoface/face/tissue.h"
 
 namespace myoface {
 
@@ -35,6 +37,9 @@ public:
     void showAll();
     bool netShown() const { return m_net->isChecked(); }
     bool markersShown() const { return m_edit->isChecked(); }
+    void setTissue(TissueThickness tissue);
+    /// While landmarks are looked for, they cannot be looked for again.
+    void setDetecting(bool detecting);
     /// How far the fitted head lies off the scan.
     void setMisfit(double median, double most);
 
@@ -43,6 +48,7 @@ Q_SIGNALS:
     void accepted(const std::string& name);
     void mirrorAsked(const std::string& name);
     void detectionAsked();
+    void tissueChosen(myoface::TissueThickness tissue);
     void displayChanged();
 
 private:
@@ -59,6 +65,8 @@ private:
     QPushButton* m_next = nullptr;
     QPushButton* m_accept = nullptr;
     QPushButton* m_mirror = nullptr;
+    QPushButton* m_detect = nullptr;
+    QComboBox* m_tissue = nullptr;
 };
 
 }  // namespace myoface

@@ -562,11 +562,7 @@ void MainWindow::saveCase() {
             state =
                 case_state(*m_document.model(), m_document.contractions(), m_document.skinRest());
         }
-        OpenedFace face = *m_document.opened();
-        if (!m_document.landmarks().empty()) {
-            face.landmarks = m_document.landmarks();
-        }
-        write_case(path.toStdString(), face, state);
+        write_case(path.toStdString(), m_document.asSaved(), state);
         m_document.undoStack()->setClean();
         rememberRecent(path);
         statusBar()->showMessage(tr("Saved: %1").arg(path), 6000);

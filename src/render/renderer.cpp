@@ -185,7 +185,9 @@ void Renderer::upload(Lines& lines, const LineLayer& layer) {
 
 void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int height,
                     float pixel_ratio) {
-    const std::array<const SurfaceLayer*, 3> layers{&scene.bone, &scene.muscles, &scene.skin};
+    constexpr std::size_t kSkin = 3;
+    const std::array<const SurfaceLayer*, kSkin + 1> layers{&scene.bone, &scene.mouth,
+                                                            &scene.muscles, &scene.skin};
     for (std::size_t i = 0; i < layers.size(); ++i) {
         if (scene.topology != topology_) {
             upload_fixed(surfaces_[i], *layers[i]);
@@ -224,13 +226,13 @@ void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        if (i == 2 && layers[2]->opacity < 1.0F) {
+        if (i == kSkin && layers[kSkin]->opacity < 1.0F) {
             draw_lines(lines_[0], scene.springs);  // seen through the skin
         }
-        set_cut(scene, i == 2);
+        set_cut(scene, i == kSkin);
         draw_surface(surfaces_[i], *layers[i]);
     }
-    if (layers[2]->opacity >= 1.0F) {
+    if (layers[kSkin]->opacity >= 1.0F) {
         draw_lines(lines_[0], scene.springs);
     }
     glDepthRange(0.0, 0.995);  // what lies under the skin by little is not lost

@@ -60,6 +60,13 @@ struct JawHinge {
 /// A place of the mandible when the jaw is open by a share of its full opening.
 Vec3 opened(const JawHinge& hinge, double share, const Vec3& p);
 
+/// The inside of a mouth: many scans have none.
+struct MouthLining {
+    TriangleMesh mesh;         ///< nothing where the scan has its own
+    Eigen::VectorXd with_jaw;  ///< per vertex: how far it goes with the mandible, 0 … 1
+    Eigen::VectorXd depth;     ///< per vertex: 0 at the lips … 1 at the throat
+};
+
 /// Everything about one face that does not change while it is simulated: anatomy on the scan.
 struct FaceModel {
     /// The scan as it came, or with its lips parted: then the file's vertices first and in order.
@@ -82,6 +89,7 @@ struct FaceModel {
     TriangleMesh bone;                ///< skull and mandible with their teeth
     std::vector<BonePart> bone_part;  ///< per bone vertex
     JawHinge jaw;
+    MouthLining mouth;
     std::vector<std::pair<int, int>> lip_contacts;  ///< upper and lower node that touch
     /// Per skin node: 1 upper lip, -1 lower lip, 0 elsewhere, or everywhere where lips are fused.
     std::vector<signed char> lip_side;

@@ -41,6 +41,8 @@ public:
 private:
     std::shared_ptr<const Image> picture() const;
     void show_bone();
+    void make_mouth();
+    void show_mouth(const TriangleMesh& bone);
     void show_muscles(const Points& nodes);
     void show_springs(const Points& nodes);
 
@@ -53,6 +55,8 @@ private:
     FloatPoints own_colours_;
     Points last_nodes_;
     std::unique_ptr<const Adjacency> bone_adjacency_;
+    std::unique_ptr<const Adjacency> lining_adjacency_;
+    std::vector<int> teeth_;  ///< bone vertices of the mouth layer; the lining's follow
     double jaw_ = 0.0;
     SceneData scene_;
 };

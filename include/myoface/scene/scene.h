@@ -48,6 +48,7 @@ struct Marker {
 /// when `topology` changes, its positions and normals when `motion` changes.
 struct SceneData {
     SurfaceLayer skin, muscles, bone;
+    SurfaceLayer mouth;  ///< teeth and lining of a scan that has none
     LineLayer springs;
     LineLayer strokes;  ///< drawn over everything: drag arrows, grip ring
     LineLayer net;      ///< close to the skin and drawn before it; uploaded with `net_version`

@@ -19,6 +19,7 @@
 #include "landmark_pose.h"
 #include "lip_cut.h"
 #include "lip_sides.h"
+#include "mouth_lining.h"
 #include "muscle_placement.h"
 #include "skin_part.h"
 #include "skin_resolution.h"
@@ -264,6 +265,9 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     label_skin(*face);
     report("Fitting the face", 0.85);
     place_skull(*face, onto_scan, options.tissue);
+    if (!face->lip_contacts.empty() && !has_mouth_bag(face->scan->mesh, onto_scan)) {
+        face->mouth = mouth_lining(onto_scan);
+    }
     face->midplane = find_midplane(*face, Bvh(mesh));
     report("Fitting the face", 1.0);
     return face;

@@ -2,6 +2,7 @@
 #include "myoface/scene/face_scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "myoface/mesh/normals.h"
 #include "myoface/scene/colour_map.h"
@@ -19,6 +20,8 @@ FaceScene::FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const Ski
     scene_.bone.plain_colour = {0.87F, 0.84F, 0.76F};
     scene_.bone.softness = 0.15F;
     scene_.bone.gloss = 0.12F;
+    scene_.mouth.softness = 0.3F;
+    scene_.mouth.gloss = 0.25F;
     scene_.muscles.softness = 0.5F;
     scene_.muscles.gloss = 0.6F;
     set_layers({});
@@ -50,8 +53,73 @@ void FaceScene::set_face(std::shared_ptr<const FaceModel> face, const std::vecto
                                                             : Eigen::Vector3f(0.93F, 0.91F, 0.86F);
     }
     bone_adjacency_ = std::make_unique<Adjacency>(bone);
+    make_mouth();
     show_bone();
     ++scene_.topology;
+}
+
+/// Teeth of the bone, then the lining.
+void FaceScene::make_mouth() {
+    SurfaceLayer& layer = scene_.mouth;
+    const MouthLining& lining = face_->mouth;
+    teeth_.clear();
+    layer.indices.clear();
+    if (lining.mesh.triangle_count() == 0) {
+        return;
+    }
+    const auto is_tooth = [&](int v) {
+        const BonePart part = face_->bone_part[static_cast<std::size_t>(v)];
+        return part == BonePart::UpperTeeth || part == BonePart::LowerTeeth;
+    };
+    std::vector<int> number(static_cast<std::size_t>(face_->bone.vertex_count()), -1);
+    for (int v = 0; v < face_->bone.vertex_count(); ++v) {
+        if (is_tooth(v)) {
+            number[static_cast<std::size_t>(v)] = static_cast<int>(teeth_.size());
+            teeth_.push_back(v);
+        }
+    }
+    const auto add = [&](const Eigen::Vector3i& corners) {
+        for (const int corner : corners) {
+            layer.indices.push_back(static_cast<std::uint32_t>(corner));
+        }
+    };
+    for (int t = 0; t < face_->bone.triangle_count(); ++t) {
+        const Eigen::Vector3i v = face_->bone.triangles.col(t);
+        if (is_tooth(v[0]) && is_tooth(v[1]) && is_tooth(v[2])) {
+            add({number[static_cast<std::size_t>(v[0])], number[static_cast<std::size_t>(v[1])],
+                 number[static_cast<std::size_t>(v[2])]});
+        }
+    }
+    const auto teeth = static_cast<int>(teeth_.size());
+    for (int t = 0; t < lining.mesh.triangle_count(); ++t) {
+        add(lining.mesh.triangles.col(t).array() + teeth);
+    }
+    layer.colours.resize(3, teeth + lining.mesh.vertex_count());
+    layer.colours.leftCols(teeth).colwise() = Eigen::Vector3f(0.93F, 0.91F, 0.86F);
+    for (int v = 0; v < lining.mesh.vertex_count(); ++v) {
+        const auto light = static_cast<float>(std::exp(-2.2 * lining.depth[v]));
+        layer.colours.col(teeth + v) = light * Eigen::Vector3f(0.62F, 0.27F, 0.25F);
+    }
+    lining_adjacency_ = std::make_unique<Adjacency>(lining.mesh);
+}
+
+void FaceScene::show_mouth(const TriangleMesh& bone) {
+    if (scene_.mouth.indices.empty()) {
+        return;
+    }
+    TriangleMesh lining = face_->mouth.mesh;
+    for (int v = 0; v < lining.vertex_count(); ++v) {
+        lining.vertices.col(v) =
+            opened(face_->jaw, jaw_ * face_->mouth.with_jaw[v], lining.vertices.col(v));
+    }
+    const Points normals = vertex_normals(bone, *bone_adjacency_)(Eigen::all, teeth_);
+    const Eigen::Index n = normals.cols() + lining.vertices.cols();
+    scene_.mouth.positions.resize(3, n);
+    scene_.mouth.normals.resize(3, n);
+    scene_.mouth.positions << bone.vertices(Eigen::all, teeth_).cast<float>(),
+        lining.vertices.cast<float>();
+    scene_.mouth.normals << normals.cast<float>(),
+        vertex_normals(lining, *lining_adjacency_).cast<float>();
 }
 
 void FaceScene::show_bone() {
@@ -64,6 +132,7 @@ void FaceScene::show_bone() {
     }
     scene_.bone.positions = bone.vertices.cast<float>();
     scene_.bone.normals = vertex_normals(bone, *bone_adjacency_).cast<float>();
+    show_mouth(bone);
 }
 
 void FaceScene::show(const SimSnapshot& snapshot) {
@@ -151,6 +220,7 @@ void FaceScene::set_layers(const LayerOpacity& layers) {
     scene_.skin.opacity = layers.skin;
     scene_.muscles.opacity = face_ ? layers.muscles : 0.0F;
     scene_.bone.opacity = face_ ? layers.bone : 0.0F;
+    scene_.mouth.opacity = face_ && layers.skin > 0.0F ? 1.0F : 0.0F;
     scene_.springs.opacity = face_ ? layers.springs : 0.0F;
     if (face_ && last_nodes_.cols() > 0) {
         if (layers.muscles > 0.0F) {
