@@ -8,7 +8,8 @@
 
 namespace myoface {
 
-DetectJob::DetectJob(std::shared_ptr<const Scan> scan) : m_scan(std::move(scan)), m_progress([](const std::string&, double) {}) {}
+DetectJob::DetectJob(std::shared_ptr<const Scan> scan)
+    : m_scan(std::move(scan)), m_progress([](const std::string&, double) {}) {}
 
 DetectJob::~DetectJob() {
     if (m_thread) {

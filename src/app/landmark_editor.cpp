@@ -227,8 +227,7 @@ void LandmarkEditor::refit() {
     const auto& model = m_document.model();
     Points shape = model ? shape_of_scan(*model, m_document.skinRest()) : Points(3, 0);
     m_job = std::make_unique<FitJob>(m_document.opened()->scan, m_document.landmarks(),
-                                     m_document.fit(), m_document.contractions(),
-                                     std::move(shape));
+                                     m_document.fit(), m_document.contractions(), std::move(shape));
     connect(m_job.get(), &FitJob::finished, this, &LandmarkEditor::jobFinished);
     m_job->start();
 }

@@ -119,6 +119,19 @@ TEST_F(ClosedLips, KeepTheFilesVerticesFirstAndInOrder) {
     EXPECT_NEAR(area / before, 1.0, 1e-4);
 }
 
+TEST_F(ClosedLips, GetALiningBehindThem) {
+    const MouthLining& mouth = face_->mouth;
+    ASSERT_GT(mouth.mesh.triangle_count(), 100);
+    EXPECT_EQ(mouth.with_jaw.size(), mouth.mesh.vertex_count());
+    const Bvh skin(face_->skin.mesh);
+    for (int v = 0; v < mouth.mesh.vertex_count(); ++v) {  // none of it comes out of the face
+        const Vec3 p = mouth.mesh.vertices.col(v);
+        const ViewRay ahead{p, face_->axes.col(2)};
+        EXPECT_TRUE(skin.first_hit(face_->skin.mesh, ahead)) << v;
+    }
+    EXPECT_EQ(test::small_model()->mouth.mesh.triangle_count(), 0);
+}
+
 TEST_F(ClosedLips, OpenWithTheJaw) {
     const Points open = posed("jaw_open", 0.6);
     double gap = 0.0;

@@ -108,6 +108,32 @@ TEST(FaceScene, LeavesLoosePartsOutAndTakesThemBack) {
     EXPECT_EQ(scene.scene().skin.indices, all);
 }
 
+TEST(FaceScene, ShowsTeethBehindLipsThatCameClosed) {
+    // The built-in face has a mouth of its own.
+    FaceScene own(test::small_model()->scan, nullptr);
+    own.set_face(test::small_model(), {}, {});
+    EXPECT_TRUE(own.scene().mouth.indices.empty());
+    // A face whose sheet of skin has nothing behind it gets one, which goes with the jaw.
+    auto bare = std::make_shared<FaceModel>(*test::small_model());
+    bare->mouth.mesh = test::sphere(10.0);
+    bare->mouth.mesh.vertices.colwise() += Vec3(0.0, -52.0, 80.0);
+    bare->mouth.with_jaw = Eigen::VectorXd::Ones(bare->mouth.mesh.vertex_count());
+    bare->mouth.depth = Eigen::VectorXd::Zero(bare->mouth.mesh.vertex_count());
+    FaceScene scene(bare->scan, nullptr);
+    scene.set_face(bare, {}, {});
+    const SurfaceLayer& mouth = scene.scene().mouth;
+    ASSERT_FALSE(mouth.indices.empty());
+    EXPECT_EQ(mouth.positions.cols(), mouth.colours.cols());
+    EXPECT_LT(*std::max_element(mouth.indices.begin(), mouth.indices.end()),
+              static_cast<std::uint32_t>(mouth.positions.cols()));
+    const Eigen::Vector3f closed = mouth.positions.col(mouth.positions.cols() - 1);
+    SimSnapshot snapshot;
+    snapshot.positions = bare->skin.mesh.vertices;
+    snapshot.jaw = 1.0;
+    scene.show(snapshot);
+    EXPECT_LT(mouth.positions.col(mouth.positions.cols() - 1).y(), closed.y());
+}
+
 TEST(FaceScene, CutsTheSkinAwayFromTheLeft) {
     FaceScene scene(test::small_model()->scan, nullptr);
     EXPECT_FALSE(scene.scene().cut);

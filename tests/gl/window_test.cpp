@@ -101,6 +101,38 @@ TEST_F(Window, MovesALandmarkFitsAnewAndUndoesIt) {
     EXPECT_EQ(window_.document().landmarks().at("ch_l").position, before.at("ch_l").position);
 }
 
+TEST_F(Window, LooksForLandmarksBesideTheWindow) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    auto* panel = window_.findChild<LandmarkPanel*>();
+    ASSERT_NE(panel, nullptr);
+    const Landmarks before = window_.document().landmarks();
+    Q_EMIT panel->detectionAsked();
+    EXPECT_FALSE(window_.settled());  // the window goes on meanwhile
+    ASSERT_TRUE(settle());
+    const Landmarks found = window_.document().landmarks();
+    EXPECT_NE(found.at("prn").position, before.at("prn").position);
+    EXPECT_LT((found.at("prn").position - before.at("prn").position).norm(), 5.0);
+}
+
+TEST_F(Window, FitsAnewToAnotherTissueDepth) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    auto* panel = window_.findChild<LandmarkPanel*>();
+    ASSERT_NE(panel, nullptr);
+    const auto model = window_.document().model();
+    Q_EMIT panel->tissueChosen(TissueThickness::Heavy);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window_.document().model() != model && window_.settled(); }, kPatience));
+    double mean = 0.0;
+    double heavy = 0.0;
+    for (std::size_t v = 0; v < model->tissue.size(); ++v) {
+        mean += model->tissue[v].depth;
+        heavy += window_.document().model()->tissue[v].depth;
+    }
+    EXPECT_GT(heavy, 1.1 * mean);
+}
+
 TEST_F(Window, ComesToRestWithAnExpression) {
     open(path_);
     ASSERT_TRUE(settle());

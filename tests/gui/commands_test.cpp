@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "test_meshes.h"
@@ -65,6 +67,35 @@ TEST(ReshapeCommand, SwapsTheMovedNodesOnly) {
     EXPECT_EQ(d.document.skinRest(), after);
     d.document.undoStack()->undo();
     EXPECT_EQ(d.document.skinRest(), before);
+}
+
+TEST(ReshapeCommand, IsUndoneOnAFaceThatWasFittedWithOtherNodes) {
+    Document d;
+    const auto whole = test::small_model();
+    const auto coarser =
+        fit_face(std::make_shared<const Scan>(test::small_face().scan),
+                 test::small_face().landmarks, nullptr, FitOptions{.finest = 1000});
+    const Points before = d.document.skinRest();
+    Points after = before;
+    for (Eigen::Index i = 0; i < after.cols(); ++i) {
+        after(2, i) += 3.0 * std::exp(-(after.col(i) - Vec3(0, -20, 110)).squaredNorm() / 300.0);
+    }
+    d.document.undoStack()->push(
+        new ReshapeCommand(d.document, before, after, QStringLiteral("shape")));
+    const Points shape = shape_of_scan(*whole, d.document.skinRest());
+    d.document.setModel(coarser, shaped_skin(*coarser, shape));
+    EXPECT_GT((d.document.skinRest() - coarser->skin.mesh.vertices).norm(), 1.0);
+    d.document.undoStack()->undo();
+    EXPECT_LT((d.document.skinRest() - coarser->skin.mesh.vertices).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(SetTissueCommand, IsKeptInWhatIsSavedAndUndone) {
+    Document d;
+    d.document.undoStack()->push(
+        new SetTissueCommand(d.document, TissueThickness::Heavy, QStringLiteral("tissue")));
+    EXPECT_EQ(d.document.asSaved().fit.tissue, TissueThickness::Heavy);
+    d.document.undoStack()->undo();
+    EXPECT_EQ(d.document.asSaved().fit.tissue, TissueThickness::Mean);
 }
 
 }  // namespace

@@ -14,6 +14,19 @@ namespace {
 /// How much an error of 1 mm may unbend the warp [mm]; about the spacing of landmarks.
 constexpr double kWarpSoftness = 1.5;
 
+/// How far the crown may leave the average one for what the front says [mm]: beyond the scan a bend
+/// of the forehead would go on for ever.
+constexpr double kCrown = 25.0;
+
+/// Places around the average head's cranium that no landmark holds.
+Points crown_places() {
+    Points places(3, 6);
+    places << 0.0, 0.0, 70.9, -70.9, 49.0, -49.0,  //
+        131.0, 19.4, 60.1, 60.1, 100.0, 100.0,     //
+        -8.0, -93.8, -30.5, -30.5, -10.0, -10.0;
+    return places;
+}
+
 /// Whether a warp turns nothing inside out around the front of the head.
 bool keeps_sense(const SmoothWarp& warp) {
     constexpr double kStep = 1.5;    // [mm]
@@ -69,17 +82,22 @@ HeadWarps fit_head(const TriangleMesh& skin, const Similarity& to_generic,
     }
     const auto n = static_cast<Eigen::Index>(kept.size());
     const Eigen::Index held = in_pose.cols();
-    Points generic(3, n + held);
-    Points scan(3, n + held);
+    const Points crown = crown_places();
+    const Eigen::Index far = crown.cols();
+    Points generic(3, n + held + far);
+    Points scan(3, n + held + far);
     for (Eigen::Index k = 0; k < n; ++k) {
         generic.col(k) = face_template().points.col(kept[static_cast<std::size_t>(k)]);
         scan.col(k) = dense.points.col(kept[static_cast<std::size_t>(k)]);
     }
-    generic.rightCols(held) = pairs.generic;
-    scan.rightCols(held) = in_pose;
+    generic.middleCols(n, held) = pairs.generic;
+    scan.middleCols(n, held) = in_pose;
+    generic.rightCols(far) = crown;
+    scan.rightCols(far) = crown;
     for (const double stiffness : {0.3, 3.0, 30.0}) {
-        Eigen::VectorXd softness(n + held);
-        softness << Eigen::VectorXd::Constant(n, stiffness), pins.softness;
+        Eigen::VectorXd softness(n + held + far);
+        softness << Eigen::VectorXd::Constant(n, stiffness), pins.softness,
+            Eigen::VectorXd::Constant(far, kCrown);
         HeadWarps bent{WarpCentres(scan, softness).towards(generic),
                        WarpCentres(generic, softness).towards(scan)};
         if (keeps_sense(bent.from_average)) {
