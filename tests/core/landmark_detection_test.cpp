@@ -114,7 +114,7 @@ TEST(LandmarkDetection, SaysThatAnOpenMouthLeavesItUnsure) {
     const Landmarks closed = detect_landmarks(face->scan->mesh).landmarks;
     EXPECT_GT(open.at("sto").error_mm, 2.0 * closed.at("sto").error_mm);
     EXPECT_GT(open.at("pg").error_mm, 1.5 * closed.at("pg").error_mm);
-    EXPECT_NEAR(open.at("en_l").error_mm, closed.at("en_l").error_mm, 1.5);
+    EXPECT_NEAR(open.at("en_l").error_mm, closed.at("en_l").error_mm, 2.5);
 }
 
 TEST(LandmarkDetection, MakesAScanWithoutLandmarksAFace) {

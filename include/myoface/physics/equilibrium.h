@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "myoface/physics/coarse_level.h"
 #include "myoface/physics/mass_spring_model.h"
 
 namespace myoface {
@@ -49,11 +51,14 @@ struct RelaxReport {
 
 /// Equilibrium by dynamic relaxation: Euler steps with masses scaled to each node's stiffness and
 /// with damping fitted to the slowest motion still alive. Keeps its momentum between calls, so that
-/// a drag can spread its work over frames. Deterministic, independent of the number of threads.
-/// @cite underwood_1983
+/// a drag can spread its work over frames. With a coarser level, a few such steps even out what is
+/// rough in the residual and the coarser level finds the far-reaching rest of the way, by the full
+/// approximation scheme; a correction is taken as far as it lowers the energy. Deterministic,
+/// independent of the number of threads. @cite underwood_1983 @cite brandt_1977
 class EquilibriumSolver {
 public:
-    explicit EquilibriumSolver(const MassSpringModel& model);
+    /// @param coarser next level, or null; outlives the solver, as the model does
+    explicit EquilibriumSolver(const MassSpringModel& model, const CoarseLevel* coarser = nullptr);
 
     /// Relaxes `state` (its velocities are not used) under the drive, and under handles or pulls.
     RelaxReport relax(MassSpringState& state, const Drive& drive, const RelaxOptions& options,
@@ -69,6 +74,16 @@ public:
     const std::vector<Vec3>& hand_forces() const { return hand_forces_; }
 
 private:
+    RelaxReport relax_here(MassSpringState& state, const Drive& drive, const RelaxOptions& options,
+                           std::span<const Handle> handles, std::span<const HandPull> pulls);
+    RelaxReport relax_levels(MassSpringState& state, const Drive& drive,
+                             const RelaxOptions& options, std::span<const Handle> handles,
+                             std::span<const HandPull> pulls);
+    void begin_rounds();
+    double correct_far(MassSpringState& state, const Drive& drive, std::span<const Handle> handles,
+                       std::span<const HandPull> pulls);
+    Points free_forces(const MassSpringState& state, const Drive& drive,
+                       std::span<const Handle> handles, std::span<const HandPull> pulls) const;
     void scale_masses(const MassSpringState& state, const Drive& drive,
                       std::span<const HandPull> pulls);
     void advance(const MassSpringState& state, const Drive& drive, std::span<const HandPull> pulls,
@@ -78,6 +93,13 @@ private:
     Eigen::Vector2d pull_force(const Points& x, const HandPull& pull) const;
 
     const MassSpringModel& model_;
+    const CoarseLevel* coarser_;
+    std::unique_ptr<EquilibriumSolver> coarse_solver_;
+    std::optional<Drive> coarse_drive_;
+    bool smoothing_ = false;                ///< steps that even out, with damping for what is rough
+    int steps_ = 0, steps_done_ = 0;        ///< of a round before the next correction
+    double last_far_ = 0.0;                 ///< the last correction [mm]
+    std::vector<Eigen::Vector2d> targets_;  ///< of the handles in the last call
     Points velocity_, next_, force_, last_force_;
     Points layer_velocity_, layer_next_, layer_force_, layer_last_force_;
     Eigen::VectorXd mass_, layer_mass_;

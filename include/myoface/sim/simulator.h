@@ -19,6 +19,7 @@ struct SimulatorOptions {
     SolverKind solver = SolverKind::Equilibrium;
     ResponseForm response = ResponseForm::Smooth;
     TissueConstants tissue;
+    bool levels = true;  ///< coarser levels help the equilibrium solver
 };
 
 /// What a step did. Unwelcome outcomes are fields, not exceptions.
@@ -88,6 +89,8 @@ private:
     SimulatorOptions options_;
     Points skin_rest_;
     std::unique_ptr<FaceMassSpring> system_;
+    std::shared_ptr<const CoarseFace> coarser_face_;
+    std::unique_ptr<CoarseLevel> coarser_;
     std::unique_ptr<EquilibriumSolver> solver_;
     std::vector<MuscleResponse> responses_;
     Contractions contractions_;

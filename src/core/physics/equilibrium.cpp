@@ -7,6 +7,7 @@
 
 #include "myoface/base/parallel.h"
 #include "myoface/physics/euler.h"
+#include "myoface/physics/forces.h"
 
 #include "node_force.h"
 
@@ -19,6 +20,14 @@ constexpr int kColdIterations = 20;
 constexpr int kLookEvery = 5;         // iterations between looks at convergence
 constexpr double kMassSafety = 1.15;  // over Gershgorin's bound for a unit step
 constexpr double kRunaway = 200.0;    // no tissue moves that far [mm]
+// With levels:
+constexpr int kSmoothingSteps = 6;
+constexpr int kMostSteps = 30;             // of a round; when that does not do, steps alone go on
+constexpr int kCoarseSteps = 40;           // on the coarsest
+constexpr int kCycles = 1;                 // on those between
+constexpr double kSmoothingDamping = 1.0;  // critical for a tenth of the stiffest
+constexpr double kFarthest = 3.0;   // [mm] at once: further on the finer level is another one
+constexpr double kFarStill = 25.0;  // of a step at rest: a correction that says as much
 
 /// What a chunk of nodes adds to the sums of one iteration, in fixed order.
 struct ChunkSums {
@@ -39,14 +48,33 @@ NodeUpdate stepped(const Vec3& x, const Vec3& v, const Vec3& f, double mass, dou
 
 }  // namespace
 
-EquilibriumSolver::EquilibriumSolver(const MassSpringModel& model) : model_(model) {}
+EquilibriumSolver::EquilibriumSolver(const MassSpringModel& model, const CoarseLevel* coarser)
+    : model_(model), coarser_(coarser) {
+    begin_rounds();
+    if (coarser_ != nullptr) {
+        coarse_solver_ =
+            std::make_unique<EquilibriumSolver>(coarser_->model(), coarser_->coarser());
+    }
+}
 
 void EquilibriumSolver::drive_changed() {
     since_masses_ = kMassesEvery;
+    begin_rounds();
+    coarse_drive_.reset();
+    if (coarse_solver_) {
+        coarse_solver_->drive_changed();
+    }
 }
 
 void EquilibriumSolver::restart() {
     warm_ = false;
+    begin_rounds();
+}
+
+void EquilibriumSolver::begin_rounds() {
+    steps_ = kSmoothingSteps;
+    steps_done_ = 0;
+    last_far_ = 0.0;
 }
 
 void EquilibriumSolver::scale_masses(const MassSpringState& state, const Drive& drive,
@@ -148,7 +176,9 @@ void EquilibriumSolver::advance(const MassSpringState& state, const Drive& drive
         apply_pull(x, pull, layer);
     }
     // The damping that is critical for the slowest motion seen in the last step.
-    if (total.kinetic > 0.0) {
+    if (smoothing_) {
+        damping_ = kSmoothingDamping;
+    } else if (total.kinetic > 0.0) {
         const double slowest = std::clamp(total.curvature / total.kinetic, 0.0, 0.9);
         damping_ = std::clamp(2.0 * std::sqrt(slowest), 0.004, 1.9);
     }
@@ -218,6 +248,163 @@ void EquilibriumSolver::hold(const Handle& handle) {
 RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
                                      const RelaxOptions& options, std::span<const Handle> handles,
                                      std::span<const HandPull> pulls) {
+    const bool levels = coarser_ != nullptr && state.layer.cols() == 0;
+    return levels ? relax_levels(state, drive, options, handles, pulls)
+                  : relax_here(state, drive, options, handles, pulls);
+}
+
+RelaxReport EquilibriumSolver::relax_levels(MassSpringState& state, const Drive& drive,
+                                            const RelaxOptions& options,
+                                            std::span<const Handle> handles,
+                                            std::span<const HandPull> pulls) {
+    const Points good = state.positions;
+    std::vector<Eigen::Vector2d> targets;
+    for (const Handle& handle : handles) {
+        targets.push_back(handle.target);
+    }
+    if (targets != targets_) {  // the hand went on: far-reaching motion again
+        begin_rounds();
+        targets_ = std::move(targets);
+    }
+    RelaxReport report;
+    while (report.iterations < options.iterations) {
+        // A round of steps may go on over several calls; the last one has no end.
+        if (steps_ > kMostSteps) {
+            RelaxOptions rest = options;
+            rest.iterations = options.iterations - report.iterations;
+            const int before = report.iterations;
+            report = relax_here(state, drive, rest, handles, pulls);
+            report.iterations += before;
+            break;
+        }
+        if (steps_done_ == 0) {
+            warm_ = false;
+        }
+        smoothing_ = steps_ == kSmoothingSteps;
+        RelaxOptions few;
+        few.iterations = std::min(steps_ - steps_done_, options.iterations - report.iterations);
+        few.still_mm = smoothing_ ? 0.0 : options.still_mm;
+        const RelaxReport round = relax_here(state, drive, few, handles, pulls);
+        smoothing_ = false;
+        report.iterations += round.iterations;
+        report.last_step = round.last_step;
+        report.residual = round.residual;
+        if (!round.finite) {
+            report.finite = false;
+            state.positions = good;
+            break;
+        }
+        steps_done_ += round.iterations;
+        if (steps_done_ < steps_ && !round.converged) {
+            continue;  // the budget ends here
+        }
+        steps_done_ = 0;
+        const double far = correct_far(state, drive, handles, pulls);
+        if (far < kFarStill * options.still_mm &&
+            (round.converged || round.last_step < options.still_mm)) {
+            report.converged = true;
+            break;
+        }
+        // What neither the coarser level nor a few steps find is left to more of them.
+        if (last_far_ > 0.0 && far > 0.5 * last_far_) {
+            steps_ *= 2;
+        } else if (far < 0.25 * last_far_) {
+            steps_ = std::max(steps_ / 2, kSmoothingSteps);
+        }
+        last_far_ = far;
+    }
+    return report;
+}
+
+/// What is not in balance, hands included, without what handles take.
+Points EquilibriumSolver::free_forces(const MassSpringState& state, const Drive& drive,
+                                      std::span<const Handle> handles,
+                                      std::span<const HandPull> pulls) const {
+    Points forces = total_forces(model_, state, drive, false);
+    for (const HandPull& pull : pulls) {
+        const Vec3 f = pull.plane * pull_force(state.positions, pull);
+        for (std::size_t k = 0; k < pull.nodes.size(); ++k) {
+            forces.col(pull.nodes[k]) += pull.skin_share * pull.weights[k] * f;
+        }
+    }
+    for (const Handle& handle : handles) {
+        Vec3 sum = Vec3::Zero();
+        double square = 0.0;
+        for (std::size_t k = 0; k < handle.nodes.size(); ++k) {
+            if (model_.fixed[handle.nodes[k]] == 0) {
+                sum += handle.weights[k] * forces.col(handle.nodes[k]);
+                square += handle.weights[k] * handle.weights[k];
+            }
+        }
+        if (square > 0.0) {
+            const Vec3 taken = handle.plane * (handle.plane.transpose() * sum) / square;
+            for (std::size_t k = 0; k < handle.nodes.size(); ++k) {
+                forces.col(handle.nodes[k]) -= handle.weights[k] * taken;
+            }
+        }
+    }
+    for (int i = 0; i < model_.node_count(); ++i) {
+        if (model_.fixed[i] != 0) {
+            forces.col(i).setZero();
+        }
+    }
+    return forces;
+}
+
+/// One correction by the coarser level. @return the largest motion [mm]
+double EquilibriumSolver::correct_far(MassSpringState& state, const Drive& drive,
+                                      std::span<const Handle> handles,
+                                      std::span<const HandPull> pulls) {
+    if (!coarse_drive_) {
+        coarse_drive_ = coarser_->restricted(drive);
+    }
+    MassSpringState coarse;
+    coarse.positions = coarser_->restricted_positions(state.positions);
+    const Points forces = free_forces(state, drive, handles, pulls);
+    Drive with_load = *coarse_drive_;
+    with_load.load = coarser_->restricted_forces(forces) -
+                     total_forces(coarser_->model(), coarse, *coarse_drive_, false);
+    std::vector<Handle> coarse_handles;
+    for (const Handle& handle : handles) {
+        Handle& held = coarse_handles.emplace_back();
+        held.plane = handle.plane;
+        Vec3 centre = Vec3::Zero();
+        for (const auto& [node, weight] :
+             coarser_->restricted_weights(handle.nodes, handle.weights)) {
+            held.nodes.push_back(node);
+            held.weights.push_back(weight);
+            centre += weight * coarse.positions.col(node);
+        }
+        held.target = handle.plane.transpose() * centre;  // it is held in its place already
+    }
+    const Points before = coarse.positions;
+    RelaxOptions options;
+    options.iterations = coarser_->coarser() != nullptr ? kCycles * kSmoothingSteps : kCoarseSteps;
+    options.still_mm = 1e-6;
+    coarse_solver_->restart();
+    if (!coarse_solver_->relax(coarse, with_load, options, coarse_handles).finite) {
+        return 0.0;
+    }
+    const Points way = coarser_->prolonged(coarse.positions - before);
+    // As far along it as the energy falls: to where the force along it vanishes.
+    const double ahead = forces.cwiseProduct(way).sum();
+    if (!(ahead > 0.0)) {
+        return 0.0;
+    }
+    MassSpringState there;
+    there.positions = state.positions + way;
+    const double left = free_forces(there, drive, handles, pulls).cwiseProduct(way).sum();
+    const double share = left < ahead ? std::clamp(ahead / (ahead - left), 0.0, 2.0) : 1.0;
+    const double most = std::sqrt(way.colwise().squaredNorm().maxCoeff());
+    const double taken = std::min(share, kFarthest / std::max(most, 1e-12));
+    state.positions += taken * way;
+    return taken * most;
+}
+
+RelaxReport EquilibriumSolver::relax_here(MassSpringState& state, const Drive& drive,
+                                          const RelaxOptions& options,
+                                          std::span<const Handle> handles,
+                                          std::span<const HandPull> pulls) {
     const int n = model_.node_count();
     const bool layer = state.layer.cols() > 0;
     if (!warm_ || mass_.size() != n || velocity_.cols() != n ||
@@ -228,8 +415,8 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
         layer_velocity_ = layer_force_ = layer_last_force_ =
             Points::Zero(3, layer ? model_.skin_nodes : 0);
         layer_next_ = state.layer;
-        damping_ = 0.1;
-        since_cold_ = 0;
+        damping_ = smoothing_ ? kSmoothingDamping : 0.1;
+        since_cold_ = smoothing_ ? kColdIterations : 0;
         warm_ = true;
     }
     const Points good = state.positions;

@@ -42,6 +42,7 @@ Simulator::Simulator(std::shared_ptr<const FaceModel> face, const SimulatorOptio
     : face_(std::move(face)),
       options_(options),
       skin_rest_(face_->skin.mesh.vertices),
+      coarser_face_(options.levels ? coarser_levels(*face_) : nullptr),
       contractions_(resting(*face_)) {
     rebuild();
     responses_ = muscle_responses(*face_, system_->model, options_.response);
@@ -59,7 +60,11 @@ void Simulator::rebuild() {
         std::make_unique<FaceMassSpring>(build_mass_spring(*face_, skin_rest_, options_.tissue));
     system_->model.rest_gravity = kUprightGravity;
     validate(system_->model);
-    solver_ = std::make_unique<EquilibriumSolver>(system_->model);
+    if (coarser_face_) {
+        coarser_ =
+            std::make_unique<CoarseLevel>(coarser_face_, *system_, skin_rest_, options_.tissue);
+    }
+    solver_ = std::make_unique<EquilibriumSolver>(system_->model, coarser_.get());
     time_step_ = 0.0;
 }
 
