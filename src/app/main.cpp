@@ -38,6 +38,8 @@ bool hasOpenGl() {
 /// Saves the whole window once it has come to rest, then ends.
 void saveAndQuit(myoface::MainWindow& window, const QString& file) {
     QTimer::singleShot(400, &window, [&window, file] {  // a last frame with everything in place
+        QApplication::sendPostedEvents();  // layouts that a busy machine has not come to yet
+        QApplication::processEvents();
         const bool saved = window.grab().save(file);
         if (!saved) {
             std::fprintf(stderr, "myoface: %s: cannot be written.\n", qPrintable(file));

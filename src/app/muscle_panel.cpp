@@ -87,6 +87,7 @@ MusclePanel::MusclePanel(QWidget* parent) : QWidget(parent) {
     m_listLayout = new QVBoxLayout(m_list);
     m_listLayout->setContentsMargins(0, 0, 8, 0);
     m_listLayout->setSpacing(2);
+    m_listLayout->setSizeConstraint(QLayout::SetMinimumSize);  // rows are never squeezed
     scroll->setWidget(m_list);
     layout->addWidget(scroll, 1);
     connect(m_linked, &QCheckBox::toggled, this, &MusclePanel::applyLink);
