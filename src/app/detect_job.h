@@ -4,41 +4,28 @@
 #include <memory>
 #include <optional>
 
-#include <QObject>
-#include <QString>
-#include <QThread>
-
-#include "myoface/base/progress.h"
 #include "myoface/face/landmarks.h"
+
+#include "background_job.h"
 
 namespace myoface {
 
 /// Looks for the landmarks of a scan beside the window.
-class DetectJob final : public QObject {
+class DetectJob final : public BackgroundJob {
     Q_OBJECT
 
 public:
     explicit DetectJob(std::shared_ptr<const Scan> scan);
-    ~DetectJob() override;
-    DetectJob(const DetectJob&) = delete;
-    DetectJob& operator=(const DetectJob&) = delete;
+    ~DetectJob() override { stop(); }
 
-    void start();
     /// Nothing when there is no face; problem() says so.
     const std::optional<Landmarks>& landmarks() const { return m_landmarks; }
-    const QString& problem() const { return m_problem; }
-
-Q_SIGNALS:
-    void finished();
 
 private:
-    void run();
+    void run() override;
 
     std::shared_ptr<const Scan> m_scan;
-    Progress m_progress;
     std::optional<Landmarks> m_landmarks;
-    QString m_problem;
-    std::unique_ptr<QThread> m_thread;
 };
 
 }  // namespace myoface

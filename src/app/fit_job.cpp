@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit_job.h"
 
-#include <new>
 #include <utility>
 
 namespace myoface {
@@ -12,44 +11,24 @@ FitJob::FitJob(std::shared_ptr<const Scan> scan, Landmarks landmarks, const FitO
       m_landmarks(std::move(landmarks)),
       m_options(options),
       m_contractions(std::move(contractions)),
-      m_shape(std::move(shape)),
-      m_progress([](const std::string&, double) {}) {}
-
-FitJob::~FitJob() {
-    if (m_thread) {
-        m_progress.cancel();
-        m_thread->wait();
-    }
-}
-
-void FitJob::start() {
-    m_thread.reset(QThread::create([this] { run(); }));
-    connect(m_thread.get(), &QThread::finished, this, &FitJob::finished);
-    m_thread->start();
-}
+      m_shape(std::move(shape)) {}
 
 void FitJob::run() {
-    try {
-        m_model = fit_face(m_scan, m_landmarks, &m_progress, m_options);
-        auto simulator = std::make_unique<Simulator>(m_model);
-        if (m_shape.cols() > 0) {
-            simulator->set_skin_rest(shaped_skin(*m_model, m_shape));
-        }
-        for (std::size_t m = 0; m < m_contractions.rate.size(); ++m) {
-            if (m_contractions.rate[m] != 0.0) {
-                simulator->set_contraction(static_cast<int>(m), m_contractions.rate[m]);
-            }
-            if (m_contractions.strength[m] != 1.0) {
-                simulator->set_strength(static_cast<int>(m), m_contractions.strength[m]);
-            }
-        }
-        m_net = fitted_net(*m_model);
-        m_simulator = std::move(simulator);
-    } catch (const std::bad_alloc&) {
-        m_problem = tr("There is not enough memory to fit the face.");
-    } catch (const std::exception& error) {
-        m_problem = QString::fromUtf8(error.what());
+    m_model = fit_face(m_scan, m_landmarks, &m_progress, m_options);
+    auto simulator = std::make_unique<Simulator>(m_model);
+    if (m_shape.cols() > 0) {
+        simulator->set_skin_rest(shaped_skin(*m_model, m_shape));
     }
+    for (std::size_t m = 0; m < m_contractions.rate.size(); ++m) {
+        if (m_contractions.rate[m] != 0.0) {
+            simulator->set_contraction(static_cast<int>(m), m_contractions.rate[m]);
+        }
+        if (m_contractions.strength[m] != 1.0) {
+            simulator->set_strength(static_cast<int>(m), m_contractions.strength[m]);
+        }
+    }
+    m_net = fitted_net(*m_model);
+    m_simulator = std::move(simulator);
 }
 
 }  // namespace myoface

@@ -427,9 +427,9 @@ void MainWindow::jobFinished() {
     m_cancel->hide();
     const std::unique_ptr<OpenJob> job = std::move(m_job);
     OpenResult& result = job->result();
-    if (!result.problem.isEmpty()) {
-        complain(result.problem);  // the window stays as it was
-        Q_EMIT openFailed(result.problem);
+    if (!job->problem().isEmpty()) {
+        complain(job->problem());  // the window stays as it was
+        Q_EMIT openFailed(job->problem());
         return;
     }
     m_path = job->path();
