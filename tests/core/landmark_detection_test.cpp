@@ -112,9 +112,11 @@ TEST(LandmarkDetection, SaysThatAnOpenMouthLeavesItUnsure) {
     mesh.vertices = simulator.scan_vertices();
     const Landmarks open = detect_landmarks(mesh).landmarks;
     const Landmarks closed = detect_landmarks(face->scan->mesh).landmarks;
-    EXPECT_GT(open.at("sto").error_mm, 2.0 * closed.at("sto").error_mm);
+    // Where the lips no longer meet there may be no such point at all.
+    EXPECT_TRUE(open.count("sto") == 0 ||
+                open.at("sto").error_mm > 2.0 * closed.at("sto").error_mm);
     EXPECT_GT(open.at("pg").error_mm, 1.5 * closed.at("pg").error_mm);
-    EXPECT_NEAR(open.at("en_l").error_mm, closed.at("en_l").error_mm, 2.5);
+    EXPECT_LT(open.at("en_l").error_mm, 0.8 * open.at("pg").error_mm);
 }
 
 TEST(LandmarkDetection, MakesAScanWithoutLandmarksAFace) {

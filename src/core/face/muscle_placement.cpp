@@ -142,7 +142,7 @@ void sink(Points& path, Points outward, const SkinSurface& skin) {
             return;
         }
         for (Eigen::Index k = 1; k + 2 < path.cols(); ++k) {
-            const double beside = 0.5 * std::max(down[k - 1], down[k + 1]);
+            const double beside = 0.25 * std::max(down[k - 1], down[k + 1]);
             path.col(k) -= std::max(down[k], beside) * outward.col(k).normalized();
         }
     }
