@@ -61,7 +61,11 @@ TEST(CoarseLevel, IsAtRestWhereTheFinerLevelIs) {
 }
 
 /// The small face with the corner of its mouth dragged, by so many sweeps; 0 to the end.
-Points dragged(bool levels, int sweeps) {
+struct Dragged {
+    Points positions;
+    StepReport report;
+};
+Dragged dragged(bool levels, int sweeps) {
     SimulatorOptions options;
     options.levels = levels;
     Simulator sim(test::small_model(), options);
@@ -72,13 +76,15 @@ Points dragged(bool levels, int sweeps) {
     sim.begin_drag(request, ray);
     ray.origin += Vec3(6, 3, 0);
     sim.move_drag(ray);
+    StepReport report;
     if (sweeps == 0) {
-        EXPECT_TRUE(sim.settle().converged);
+        report = sim.settle();
+        EXPECT_TRUE(report.converged);
     }
     for (int done = 0; done < sweeps; done += 6) {
-        sim.step(6);
+        report = sim.step(6);
     }
-    return sim.state().positions;
+    return {sim.state().positions, report};
 }
 
 TEST(EquilibriumSolver, WithLevelsEndsWhereItEndsWithout) {
@@ -86,12 +92,15 @@ TEST(EquilibriumSolver, WithLevelsEndsWhereItEndsWithout) {
         rest_state(
             build_mass_spring(*test::small_model(), test::small_model()->skin.mesh.vertices).model)
             .positions;
-    const Points plain = dragged(false, 0);
+    const auto [plain, report] = dragged(false, 0);
     const double way = (plain - rest).norm();
-    EXPECT_LT((dragged(true, 0) - plain).norm(), 0.005 * way);
+    const auto [there, levels] = dragged(true, 0);
+    EXPECT_LT((there - plain).norm(), 0.005 * way);
+    EXPECT_NEAR(levels.drag->force_mN, report.drag->force_mN, 0.005 * report.drag->force_mN);
+    EXPECT_LT(levels.residual, 0.05);
     // And is nearly there when steps alone have hardly begun.
-    EXPECT_LT((dragged(true, 90) - plain).norm(), 0.05 * way);
-    EXPECT_GT((dragged(false, 90) - plain).norm(), 0.2 * way);
+    EXPECT_LT((dragged(true, 90).positions - plain).norm(), 0.05 * way);
+    EXPECT_GT((dragged(false, 90).positions - plain).norm(), 0.2 * way);
 }
 
 }  // namespace

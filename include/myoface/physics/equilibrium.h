@@ -83,7 +83,8 @@ private:
     double correct_far(MassSpringState& state, const Drive& drive, std::span<const Handle> handles,
                        std::span<const HandPull> pulls);
     Points free_forces(const MassSpringState& state, const Drive& drive,
-                       std::span<const Handle> handles, std::span<const HandPull> pulls) const;
+                       std::span<const Handle> handles, std::span<const HandPull> pulls,
+                       std::vector<Vec3>* held = nullptr) const;
     void scale_masses(const MassSpringState& state, const Drive& drive,
                       std::span<const HandPull> pulls);
     void advance(const MassSpringState& state, const Drive& drive, std::span<const HandPull> pulls,

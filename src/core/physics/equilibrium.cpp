@@ -313,13 +313,23 @@ RelaxReport EquilibriumSolver::relax_levels(MassSpringState& state, const Drive&
         }
         last_far_ = far;
     }
+    if (report.converged && steps_ <= kMostSteps) {
+        // The sums of the last step stand before the correction.
+        std::vector<Vec3> held;
+        const Points left = free_forces(state, drive, handles, pulls, &held);
+        if (!held.empty()) {
+            hand_forces_ = std::move(held);
+        }
+        report.residual = std::sqrt(left.squaredNorm() / std::max(model_.node_count(), 1));
+    }
     return report;
 }
 
 /// What is not in balance, hands included, without what handles take.
 Points EquilibriumSolver::free_forces(const MassSpringState& state, const Drive& drive,
                                       std::span<const Handle> handles,
-                                      std::span<const HandPull> pulls) const {
+                                      std::span<const HandPull> pulls,
+                                      std::vector<Vec3>* held) const {
     Points forces = total_forces(model_, state, drive, false);
     for (const HandPull& pull : pulls) {
         const Vec3 f = pull.plane * pull_force(state.positions, pull);
@@ -340,6 +350,9 @@ Points EquilibriumSolver::free_forces(const MassSpringState& state, const Drive&
             const Vec3 taken = handle.plane * (handle.plane.transpose() * sum) / square;
             for (std::size_t k = 0; k < handle.nodes.size(); ++k) {
                 forces.col(handle.nodes[k]) -= handle.weights[k] * taken;
+            }
+            if (held != nullptr) {
+                held->push_back(-taken);
             }
         }
     }
