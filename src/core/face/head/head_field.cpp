@@ -352,14 +352,7 @@ double HeadField::primitives(const Vec3& q) const {
         d = without_tube(d, p, nasolabial_, 11.0);
         // Each lip blends with the skin for itself. Where they meet only a shallow groove is left:
         // the mesh is slit there, and no triangle must dive into a crease.
-        constexpr double kBlend = 1.2;
-        const double upper = with_tube(d, q, upper_lip_, 4.2);
-        const double lower = with_tube(d, q, lower_lip_, 4.2);
-        // The blend lifts the skin a little where there are no lips too: that fades out, without a
-        // step where one no longer looks for them.
-        const double away = smooth_step(28.0, 52.0, (q - Vec3(0, -45, 95)).norm());
-        const double lifted = smooth_min(d, d, kBlend) - d;
-        d = smooth_min(upper, lower, kBlend) - away * lifted;
+        d = smooth_min(with_tube(d, q, upper_lip_, 4.2), with_tube(d, q, lower_lip_, 4.2), 1.2);
         d = without_tube(d, q, lip_groove_, 4.0);
     }
     return smooth_max(d, kNeckCut - q.y(), 16.0);
