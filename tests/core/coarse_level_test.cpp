@@ -7,6 +7,7 @@
 #include "myoface/physics/forces.h"
 #include "myoface/sim/simulator.h"
 
+#include "physics/level_transfer.h"
 #include "test_meshes.h"
 
 namespace myoface {
@@ -27,37 +28,68 @@ TEST(CoarseLevel, HasFewerNodesAndTheSameMuscles) {
     EXPECT_EQ(coarser_levels(*coarser_levels(*l.face)->face), nullptr);
 }
 
-TEST(CoarseLevel, GathersForcesAsItSpreadsDisplacements) {
-    const Levels l;
-    Points forces = Points::Random(3, l.finer.model.node_count());
-    for (int i = 0; i < l.finer.model.node_count(); ++i) {
-        if (l.finer.model.fixed[static_cast<std::size_t>(i)] != 0) {
-            forces.col(i).setZero();
+/// Packed, as the solver has them.
+struct PackedLevels : Levels {
+    PackedModel::Data finer_rows{finer.model};
+    PackedModel::Data coarse_rows{coarse.model()};
+    LevelTransfer transfer{coarse, finer_rows, coarse_rows};
+};
+
+TEST(LevelTransfer, GathersForcesAsItSpreadsDisplacements) {
+    const PackedLevels l;
+    LargeArray<VectorLanes> forces(static_cast<std::size_t>(l.finer_rows.slices));
+    for (int r = 0; r < l.finer_rows.nodes; ++r) {
+        if (l.finer.model.fixed[static_cast<std::size_t>(l.finer_rows.node_of[r])] == 0) {
+            set_row(forces, r, Vec3::Random());
         }
     }
-    const Points way = Points::Random(3, l.coarse.model().node_count());
-    const double fine_work = forces.cwiseProduct(l.coarse.prolonged(way)).sum();
-    const double coarse_work = l.coarse.restricted_forces(forces).cwiseProduct(way).sum();
-    EXPECT_NEAR(fine_work, coarse_work, 1e-9 * (1.0 + std::abs(fine_work)));
+    const LargeArray<NodeRecord> from = l.coarse_rows.resting_records();
+    LargeArray<NodeRecord> to = l.coarse_rows.resting_records();
+    Points way = Points::Random(3, l.coarse.model().node_count());
+    l.coarse_rows.put(l.coarse.model().rest + way, to);
+    LargeArray<VectorLanes> spread(static_cast<std::size_t>(l.finer_rows.slices));
+    l.transfer.prolong(from, to, spread);
+    LargeArray<VectorLanes> gathered(static_cast<std::size_t>(l.coarse_rows.slices));
+    l.transfer.restrict_forces(forces, gathered);
+    double fine_work = 0.0;
+    for (int r = 0; r < l.finer_rows.nodes; ++r) {
+        fine_work += of_row(forces, r).dot(of_row(spread, r));
+    }
+    double coarse_work = 0.0;
+    for (int r = 0; r < l.coarse_rows.nodes; ++r) {
+        coarse_work += of_row(gathered, r).dot(way.col(l.coarse_rows.node_of[r]));
+    }
+    EXPECT_NEAR(fine_work, coarse_work, 1e-4 * (1.0 + std::abs(fine_work)));
 }
 
-TEST(CoarseLevel, CarriesAUniformShiftAsItIs) {
-    const Levels l;
-    Points shift(3, l.coarse.model().node_count());
-    shift.colwise() = Vec3(1.0, -2.0, 0.5);
-    const Points carried = l.coarse.prolonged(shift);
-    for (int i = 0; i < l.finer.model.node_count(); ++i) {
-        const bool fixed = l.finer.model.fixed[static_cast<std::size_t>(i)] != 0;
-        EXPECT_LT((carried.col(i) - (fixed ? Vec3::Zero() : Vec3(1.0, -2.0, 0.5))).norm(), 1e-9);
+TEST(LevelTransfer, CarriesAUniformShiftAsItIs) {
+    const PackedLevels l;
+    const Vec3 shift(1.0, -2.0, 0.5);
+    const LargeArray<NodeRecord> from = l.coarse_rows.resting_records();
+    LargeArray<NodeRecord> to = l.coarse_rows.resting_records();
+    l.coarse_rows.put(l.coarse.model().rest.colwise() + shift, to);
+    LargeArray<VectorLanes> carried(static_cast<std::size_t>(l.finer_rows.slices));
+    l.transfer.prolong(from, to, carried);
+    for (int r = 0; r < l.finer_rows.nodes; ++r) {
+        const bool fixed =
+            l.finer.model.fixed[static_cast<std::size_t>(l.finer_rows.node_of[r])] != 0;
+        EXPECT_LT((of_row(carried, r) - (fixed ? Vec3::Zero() : shift)).norm(), 1e-5);
     }
 }
 
-TEST(CoarseLevel, IsAtRestWhereTheFinerLevelIs) {
-    const Levels l;
-    MassSpringState state = rest_state(l.finer.model);
-    state.positions = l.coarse.restricted_positions(state.positions);
-    EXPECT_EQ(state.positions, l.coarse.model().rest);
-    EXPECT_LT(total_forces(l.coarse.model(), state, {}, false).cwiseAbs().maxCoeff(), 1e-9);
+TEST(LevelTransfer, FindsTheCoarseNodesWhereTheFinerOnesAre) {
+    const PackedLevels l;
+    LargeArray<NodeRecord> finer = l.finer_rows.resting_records();
+    Points moved = l.finer.model.rest;
+    moved += 0.1 * moved;
+    l.finer_rows.put(moved, finer);
+    LargeArray<NodeRecord> coarse = l.coarse_rows.resting_records();
+    l.transfer.restrict_ways(finer, coarse);
+    for (int r = 0; r < l.coarse_rows.nodes; ++r) {
+        const Vec3 rest = l.coarse.model().rest.col(l.coarse_rows.node_of[r]);
+        const Vec3 way(coarse[r].moved[0], coarse[r].moved[1], coarse[r].moved[2]);
+        EXPECT_LT((way - 0.1 * rest).norm(), 1e-4);
+    }
 }
 
 /// The small face with the corner of its mouth dragged, by so many sweeps; 0 to the end.

@@ -41,7 +41,7 @@ TEST(EquilibriumSolver, EndsWhereDampedEulerEnds) {
     MassSpringState relaxed = rest_state(model);
     EquilibriumSolver solver(model);
     RelaxOptions options;
-    options.still_mm = 1e-9;
+    options.still_mm = 1e-6;
     options.iterations = 20000;
     ASSERT_TRUE(solver.relax(relaxed, drive, options).converged);
     MassSpringState stepped = rest_state(model);
@@ -49,7 +49,7 @@ TEST(EquilibriumSolver, EndsWhereDampedEulerEnds) {
     for (int k = 0; k < 60000; ++k) {
         explicit_euler_step(model, stepped, drive, step);
     }
-    EXPECT_LT((relaxed.positions - stepped.positions).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LT((relaxed.positions - stepped.positions).cwiseAbs().maxCoeff(), 2e-5);
 }
 
 TEST(EquilibriumSolver, FindsNothingToDoAtRest) {
@@ -71,7 +71,7 @@ TEST(EquilibriumSolver, HoldsAHandleExactlyAndFeelsItsForce) {
     EquilibriumSolver solver(model);
     MassSpringState state = rest_state(model);
     solver.relax(state, {}, {}, {&handle, 1});
-    EXPECT_NEAR(state.positions(0, 1), 12.0, 1e-9);
+    EXPECT_NEAR(state.positions(0, 1), 12.0, 1e-6);
     EXPECT_NEAR(solver.hand_forces().at(0).x(), 200.0, 1e-3);  // both springs by 2 mm
 }
 

@@ -21,9 +21,7 @@ MassSpringModel everything() {
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     MassSpringModel model = test::spring_row(8, 120.0, 3.0, 1e-4);
     model.skin_nodes = 8;
-    for (Spring& spring : model.springs) {
-        spring.stiffening = 10.0;
-    }
+    model.stretch.assign(8, {10.0, 0.35});
     model.ties.resize(8);
     for (Tie& tie : model.ties) {
         tie.normal = Vec3(unit(random), unit(random), 2.0).normalized();
@@ -32,6 +30,7 @@ MassSpringModel everything() {
         tie.thickness = 40.0;
         tie.tether = 3.0;
         tie.anchor = 1.0;
+        tie.stop = 0.3;
     }
     model.contacts.push_back({2, 5, Vec3::UnitY(), 300.0, -0.1});
     model.linear.start.clear();

@@ -18,13 +18,12 @@ struct CoarseFace {
     /// Finer skin nodes × coarse ones, rows sum to 1: between the coarse nodes linear, then
     /// smoothed, for a kink at every coarse edge would cost much energy of bending.
     Eigen::SparseMatrix<double, Eigen::RowMajor> prolongation;
-    Eigen::SparseMatrix<double, Eigen::RowMajor> restriction;  ///< its transpose
-    std::shared_ptr<const CoarseFace> coarser;                 ///< the next level, or null
+    std::shared_ptr<const CoarseFace> coarser;  ///< the next level, or null
 };
 /// All levels below a face, down to a few hundred nodes; null for a face that is as small already.
 std::shared_ptr<const CoarseFace> coarser_levels(const FaceModel& face);
 
-/// A finer model on a coarser face, with what carries displacements and forces between them.
+/// A finer model on a coarser face.
 class CoarseLevel {
 public:
     /// @param skin_rest of the finer model, 3×its skin nodes
@@ -34,21 +33,18 @@ public:
     const MassSpringModel& model() const { return system_.model; }
     const CoarseLevel* coarser() const { return coarser_.get(); }
 
-    /// The finer displacement at the coarse nodes, added to their rest. @param positions finer
-    Points restricted_positions(const Points& positions) const;
-    /// What acts on the finer nodes gathered at the coarse ones: the transpose of prolonged().
-    Points restricted_forces(const Points& forces) const;
-    std::vector<std::pair<int, double>> restricted_weights(
-        const std::vector<int>& nodes, const std::vector<double>& weights) const;
+    /// Finer skin nodes × coarse skin nodes.
+    const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation() const {
+        return face_->prolongation;
+    }
+    /// The finer skin node that a coarse one stands for.
+    int finer_node(int node) const { return face_->fine[static_cast<std::size_t>(node)]; }
     Drive restricted(const Drive& drive) const;
-    /// A coarse displacement at the finer nodes; those that are fixed stay.
-    Points prolonged(const Points& coarse) const;
 
 private:
     int finer_skin() const { return static_cast<int>(face_->prolongation.rows()); }
 
     std::shared_ptr<const CoarseFace> face_;
-    const MassSpringModel* finer_ = nullptr;
     const std::vector<MuscleChain>* finer_chains_ = nullptr;
     FaceMassSpring system_;
     std::unique_ptr<const CoarseLevel> coarser_;

@@ -53,62 +53,39 @@ struct RelaxReport {
 /// with damping fitted to the slowest motion still alive. Keeps its momentum between calls, so that
 /// a drag can spread its work over frames. With a coarser level, a few such steps even out what is
 /// rough in the residual and the coarser level finds the far-reaching rest of the way, by the full
-/// approximation scheme; a correction is taken as far as it lowers the energy. Deterministic,
-/// independent of the number of threads. @cite underwood_1983 @cite brandt_1977
+/// approximation scheme; a correction is taken as far as it lowers the energy, and a round of both
+/// that does not lower it is undone. Single precision inside. Deterministic, independent of the
+/// number of threads. @cite underwood_1983 @cite brandt_1977
 class EquilibriumSolver {
 public:
     /// @param coarser next level, or null; outlives the solver, as the model does
     explicit EquilibriumSolver(const MassSpringModel& model, const CoarseLevel* coarser = nullptr);
+    ~EquilibriumSolver();
+    EquilibriumSolver(const EquilibriumSolver&) = delete;
+    EquilibriumSolver& operator=(const EquilibriumSolver&) = delete;
 
     /// Relaxes `state` (its velocities are not used) under the drive, and under handles or pulls.
     RelaxReport relax(MassSpringState& state, const Drive& drive, const RelaxOptions& options,
                       std::span<const Handle> handles = {}, std::span<const HandPull> pulls = {});
 
-    /// The drive is another one: masses are fitted to its stiffness before the next step.
+    /// To be called whenever the drive is not that of the call before.
     void drive_changed();
 
     /// Forgets momentum: after a jump of the state or another model of the same size.
     void restart();
 
     /// Force of each handle, or else of each pull, in the last iteration [mN].
-    const std::vector<Vec3>& hand_forces() const { return hand_forces_; }
+    const std::vector<Vec3>& hand_forces() const;
+
+    /// Energy at the start of the last relax(), hands left out [µJ].
+    double energy() const;
 
 private:
-    RelaxReport relax_here(MassSpringState& state, const Drive& drive, const RelaxOptions& options,
-                           std::span<const Handle> handles, std::span<const HandPull> pulls);
-    RelaxReport relax_levels(MassSpringState& state, const Drive& drive,
-                             const RelaxOptions& options, std::span<const Handle> handles,
-                             std::span<const HandPull> pulls);
-    void begin_rounds();
-    double correct_far(MassSpringState& state, const Drive& drive, std::span<const Handle> handles,
-                       std::span<const HandPull> pulls);
-    Points free_forces(const MassSpringState& state, const Drive& drive,
-                       std::span<const Handle> handles, std::span<const HandPull> pulls,
-                       std::vector<Vec3>* held = nullptr) const;
-    void scale_masses(const MassSpringState& state, const Drive& drive,
-                      std::span<const HandPull> pulls);
-    void advance(const MassSpringState& state, const Drive& drive, std::span<const HandPull> pulls,
-                 bool layer);
-    void apply_pull(const Points& x, const HandPull& pull, bool layer);
-    void hold(const Handle& handle);
-    Eigen::Vector2d pull_force(const Points& x, const HandPull& pull) const;
-
-    const MassSpringModel& model_;
-    const CoarseLevel* coarser_;
-    std::unique_ptr<EquilibriumSolver> coarse_solver_;
-    std::optional<Drive> coarse_drive_;
-    bool smoothing_ = false;                ///< steps that even out, with damping for what is rough
-    int steps_ = 0, steps_done_ = 0;        ///< of a round before the next correction
-    double last_far_ = 0.0;                 ///< the last correction [mm]
+    struct Level;
+    std::unique_ptr<Level> level_;
+    bool drive_changed_ = true;
+    bool had_layer_ = false;
     std::vector<Eigen::Vector2d> targets_;  ///< of the handles in the last call
-    Points velocity_, next_, force_, last_force_;
-    Points layer_velocity_, layer_next_, layer_force_, layer_last_force_;
-    Eigen::VectorXd mass_, layer_mass_;
-    double damping_ = 0.1;
-    double residual_ = 0.0;
-    bool warm_ = false;
-    int since_cold_ = 0, since_masses_ = 0;  ///< iterations
-    std::vector<Vec3> hand_forces_;
 };
 
 }  // namespace myoface

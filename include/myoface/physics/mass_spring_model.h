@@ -10,23 +10,30 @@ namespace myoface {
 /// Spring and damper in parallel between two mass points.
 struct Spring {
     int a = 0, b = 0;
-    double stiffness = 0.0;   ///< k [kg/s² = N/m = mN/mm]
-    double length = 0.0;      ///< natural length L [mm]
-    double damping = 0.0;     ///< D [kg/s]
-    double stiffening = 0.0;  ///< J: adds k L² J max(|ε| − 0.2, 0)³/3 to the energy
+    double stiffness = 0.0;  ///< k [kg/s² = N/m = mN/mm]
+    double length = 0.0;     ///< natural length L [mm]
+    double damping = 0.0;    ///< D [kg/s]
     TissueLabel label;
+};
+
+/// How a tissue resists being stretched far. A spring has the smaller values of its two ends.
+struct Stretch {
+    double stiffening = 0.0;  ///< J: adds k L² J max(|ε| − 0.2, 0)³/3 to the energy
+    double limit =
+        1e3;  ///< ε_l: adds ½ k L² 15 max(ε − ε_l, 0)²; skin pressed together folds instead
 };
 
 /// A spring as one of its ends sees it, packed for gathering.
 struct SpringEnd {
     int other = 0;
     int spring = 0;
-    double stiffness = 0.0, length = 0.0, stiffening = 0.0;
+    double stiffness = 0.0, length = 0.0;
 };
 
 /// A point's tie to what lies under it. With δ = x − rest:
 /// thickness ½ k_n (n·δ + ½ δᵀQδ − height)² and tether ½ k_t |(I − nnᵀ)(δ − shift − layer)|²,
-/// plus an isotropic anchor ½ k_i |δ|². It slides along the bone: no depth force sideways.
+/// plus an isotropic anchor ½ k_i |δ|². It slides along the bone: no depth force sideways. Where
+/// the tissue is used up the bone stops it: ½ · 20 k_n min(0, n·δ + ½ δᵀQδ + stop)².
 struct Tie {
     Vec3 normal = Vec3::UnitZ();
     Mat3 curvature = Mat3::Zero();  ///< [1/mm]
@@ -34,6 +41,7 @@ struct Tie {
     double tether = 0.0;            ///< k_t [mN/mm]
     double anchor = 0.0;            ///< k_i [mN/mm]
     double damping = 0.0;           ///< towards the bone [kg/s]
+    double stop = 1e3;              ///< how far the skin may go in before the bone stops it [mm]
 };
 
 /// Two points that must not pass each other: ½ k min(0, n·(x_a − x_b) − gap)².
@@ -65,7 +73,8 @@ struct MassSpringModel {
     std::vector<char> fixed;         ///< bone ends and what lies far from the face
     std::vector<TissueLabel> label;  ///< per node
     std::vector<Spring> springs;
-    std::vector<Tie> ties;  ///< per node
+    std::vector<Stretch> stretch;  ///< per node
+    std::vector<Tie> ties;         ///< per node
     std::vector<Contact> contacts;
     LinearStiffness linear;
     MuscleLayer layer;

@@ -245,6 +245,9 @@ RelaxReport SkinDrag::pull(EquilibriumSolver& solver, MassSpringState& state, co
     RelaxOptions options;
     options.iterations = iterations;
     const std::vector<HandPull> hands = pulls();
+    if (second_stage_) {
+        solver.drive_changed();  // it carries the first stage's load
+    }
     const RelaxReport report =
         second_stage_ ? solver.relax(state, with_first_stage(drive), options, {}, hands)
                       : solver.relax(state, drive, options, {}, hands);

@@ -13,7 +13,10 @@ constexpr double kInsertionRadius = 9.0;   // of a linear muscle's end in the sk
 constexpr double kRingRadius = 7.0;        // of a ring's hold on the skin [mm]
 constexpr double kChainAnchor = 20.0;      // of a chain's inner nodes [mN/mm]
 constexpr double kTensionSpan = 0.3;       // a chain's full tension is reached at this strain
-constexpr double kMuscleArea = 12.0;       // cross-section [mm²]
+constexpr double kHardLimit = 2.5;         // of the strain at which a stress finds its limit
+constexpr double kNoStrainLimit = 1e6;
+constexpr double kStop = 0.7;         // of the tissue's depth: there the bone begins to stop
+constexpr double kMuscleArea = 12.0;  // cross-section [mm²]
 
 /// Collects a symmetric matrix entry by entry.
 class MatrixBuilder {
@@ -74,6 +77,7 @@ public:
         model.mass = Eigen::VectorXd::Constant(total, 1e-7);
         model.fixed.assign(static_cast<std::size_t>(total), 0);
         model.ties.resize(static_cast<std::size_t>(total));
+        model.stretch.resize(static_cast<std::size_t>(total));
         model.label.resize(static_cast<std::size_t>(total));
         add_skin_nodes();
         add_skin_springs();
@@ -110,6 +114,7 @@ private:
             if (t.tissue == Tissue::Skin) {
                 tie.curvature = face_.sliding[i].curvature;
                 tie.thickness = c_.confined_modulus * area / depth;
+                tie.stop = kStop * depth;
                 tie.tether = tether;
             } else {
                 tie.anchor =
@@ -118,6 +123,10 @@ private:
             model.mass[i] = c_.density * area * depth * t.bone_tie;
             model.fixed[i] = t.fixed ? 1 : 0;
             model.label[i] = face_.label[i];
+            model.stretch[i].stiffening = c_.stiffening;
+            if (t.strain_limit < kNoStrainLimit) {
+                model.stretch[i].limit = std::clamp(kHardLimit * t.strain_limit, 0.4, 0.8);
+            }
             out_.strain_limit.push_back(t.strain_limit);
             out_.bone_tie.push_back(t.bone_tie);
         }
@@ -146,7 +155,6 @@ private:
             // A sliver's long edge carries no more than that of a square.
             spring.stiffness =
                 c_.skin_modulus * c_.skin_thickness * share * std::min(both / square, 4.0);
-            spring.stiffening = c_.stiffening;
             spring.label = face_.label[a] == face_.label[b] ? face_.label[a] : TissueLabel{};
             out_.model.springs.push_back(spring);
             const bool same = face_.label[a].muscle == face_.label[b].muscle;

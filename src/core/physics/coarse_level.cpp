@@ -2,7 +2,6 @@
 #include "myoface/physics/coarse_level.h"
 
 #include <algorithm>
-#include <map>
 
 #include "myoface/mesh/coarse_mesh.h"
 
@@ -134,8 +133,7 @@ std::shared_ptr<const CoarseFace> next_level(const FaceModel& face) {
     fewer->adjacency = std::make_shared<Adjacency>(fewer->skin.mesh);
     auto level = std::make_shared<CoarseFace>();
     level->prolongation = smooth_prolongation(coarse, *face.adjacency);
-    level->restriction = level->prolongation.transpose();
-    fewer->area = level->restriction * face.area;
+    fewer->area = level->prolongation.transpose() * face.area;
     fewer->generic = face.generic(Eigen::all, coarse.fine);
     fewer->tissue = picked(face.tissue, coarse.fine);
     fewer->sliding = picked(face.sliding, coarse.fine);
@@ -160,7 +158,7 @@ std::shared_ptr<const CoarseFace> coarser_levels(const FaceModel& face) {
 
 CoarseLevel::CoarseLevel(std::shared_ptr<const CoarseFace> face, const FaceMassSpring& finer,
                          const Points& skin_rest, const TissueConstants& constants)
-    : face_(std::move(face)), finer_(&finer.model), finer_chains_(&finer.chains) {
+    : face_(std::move(face)), finer_chains_(&finer.chains) {
     const Points rest = skin_rest(Eigen::all, face_->fine);
     system_ = build_mass_spring(*face_->face, rest, constants);
     system_.model.rest_gravity = finer.model.rest_gravity;
@@ -171,43 +169,6 @@ CoarseLevel::CoarseLevel(std::shared_ptr<const CoarseFace> face, const FaceMassS
     if (face_->coarser) {
         coarser_ = std::make_unique<CoarseLevel>(face_->coarser, system_, rest, constants);
     }
-}
-
-Points CoarseLevel::restricted_positions(const Points& positions) const {
-    Points result = system_.model.rest;
-    const int n = system_.model.skin_nodes;
-    for (int i = 0; i < n; ++i) {
-        const int fine = face_->fine[static_cast<std::size_t>(i)];
-        result.col(i) += positions.col(fine) - finer_->rest.col(fine);
-    }
-    const Eigen::Index chains = positions.cols() - finer_skin();
-    result.rightCols(chains) += positions.rightCols(chains) - finer_->rest.rightCols(chains);
-    return result;
-}
-
-Points CoarseLevel::restricted_forces(const Points& forces) const {
-    Points result(3, system_.model.node_count());
-    result.leftCols(system_.model.skin_nodes) =
-        (face_->restriction * forces.leftCols(finer_skin()).transpose()).transpose();
-    const Eigen::Index chains = forces.cols() - finer_skin();
-    result.rightCols(chains) = forces.rightCols(chains);
-    return result;
-}
-
-std::vector<std::pair<int, double>> CoarseLevel::restricted_weights(
-    const std::vector<int>& nodes, const std::vector<double>& weights) const {
-    std::map<int, double> sum;
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const int v = nodes[k];
-        if (v >= finer_skin()) {
-            sum[v - finer_skin() + system_.model.skin_nodes] += weights[k];
-            continue;
-        }
-        for (Rows::InnerIterator entry(face_->prolongation, v); entry; ++entry) {
-            sum[static_cast<int>(entry.col())] += weights[k] * entry.value();
-        }
-    }
-    return {sum.begin(), sum.end()};
 }
 
 Drive CoarseLevel::restricted(const Drive& drive) const {
@@ -247,20 +208,6 @@ Drive CoarseLevel::restricted(const Drive& drive) const {
         coarse.stiffness_factor = of_chains(drive.stiffness_factor);
     }
     return coarse;
-}
-
-Points CoarseLevel::prolonged(const Points& coarse) const {
-    Points result(3, finer_->node_count());
-    result.leftCols(finer_skin()) =
-        (face_->prolongation * coarse.leftCols(system_.model.skin_nodes).transpose()).transpose();
-    const Eigen::Index chains = result.cols() - finer_skin();
-    result.rightCols(chains) = coarse.rightCols(chains);
-    for (int i = 0; i < finer_->node_count(); ++i) {
-        if (finer_->fixed[static_cast<std::size_t>(i)] != 0) {
-            result.col(i).setZero();
-        }
-    }
-    return result;
 }
 
 }  // namespace myoface

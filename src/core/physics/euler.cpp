@@ -51,14 +51,16 @@ Eigen::VectorXd stiffness_row_sums(const MassSpringModel& model, const Points& p
         for (int e = model.spring_start[i]; e < model.spring_start[i + 1]; ++e) {
             const SpringEnd& spring = model.spring_ends[e];
             double k = active_stiffness(spring.stiffness, drive, spring.spring);
-            if (spring.stiffening > 0.0) {
-                const double natural = natural_length(spring.length, drive, spring.spring);
+            const double natural = natural_length(spring.length, drive, spring.spring);
+            if (natural > 0.0) {
+                const Stretch stretch = weaker(model.stretch[i], model.stretch[spring.other]);
                 const double distance = (positions.col(i) - positions.col(spring.other)).norm();
-                const double over =
-                    std::max(std::abs(distance / natural - 1.0) - kStiffeningStart, 0.0);
+                const double strain = distance / natural - 1.0;
+                const double over = std::max(std::abs(strain) - kStiffeningStart, 0.0);
+                const double limit = strain > stretch.limit ? kLimitStiffness : 0.0;
                 // Sideways a spring far from its length is as stiff as its tension per length.
-                k = std::max(k * (1.0 + 2.0 * spring.stiffening * over),
-                             std::abs(tension_ratio(k, spring.stiffening, distance, natural)));
+                k = std::max(k * (1.0 + 2.0 * stretch.stiffening * over + limit),
+                             std::abs(tension_ratio(k, stretch, distance, natural)));
             }
             sum += 2.0 * k;
         }
@@ -74,8 +76,10 @@ Eigen::VectorXd stiffness_row_sums(const MassSpringModel& model, const Points& p
             const Vec3 bent = tie.curvature * delta;
             const double wanted = drive.height.size() > 0 ? drive.height[i] : 0.0;
             const double height = tie.normal.dot(delta) + 0.5 * delta.dot(bent) - wanted;
-            thickness *=
-                (tie.normal + bent).squaredNorm() + std::abs(height) * tie.curvature.norm();
+            const double stopped = height + wanted + tie.stop;
+            const double stop = stopped < 0.0 ? kStopStiffness : 0.0;
+            thickness *= (1.0 + stop) * (tie.normal + bent).squaredNorm() +
+                         (std::abs(height) + stop * std::abs(stopped)) * tie.curvature.norm();
         }
         sum += std::max(thickness, tie.tether * boost) + tie.anchor;
         if (model.contact_of[i] >= 0) {

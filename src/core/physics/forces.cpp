@@ -84,10 +84,14 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
         const double distance = (x.col(spring.a) - x.col(spring.b)).norm();
         const double k = active_stiffness(spring.stiffness, drive, static_cast<int>(s));
         energy += 0.5 * k * (distance - natural) * (distance - natural);
-        if (spring.stiffening > 0.0 && natural > 0.0) {
-            const double over =
-                std::max(std::abs(distance / natural - 1.0) - kStiffeningStart, 0.0);
-            energy += k * natural * natural * spring.stiffening * over * over * over / 3.0;
+        if (natural > 0.0) {
+            const Stretch stretch = weaker(model.stretch[spring.a], model.stretch[spring.b]);
+            const double strain = distance / natural - 1.0;
+            const double over = std::max(std::abs(strain) - kStiffeningStart, 0.0);
+            const double beyond = std::max(strain - stretch.limit, 0.0);
+            energy += k * natural * natural *
+                      (stretch.stiffening * over * over * over / 3.0 +
+                       0.5 * kLimitStiffness * beyond * beyond);
         }
     }
     const Points u = x - model.rest;
@@ -98,7 +102,9 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
         const double wanted = drive.height.size() > 0 ? drive.height[i] : 0.0;
         const double height =
             tie.normal.dot(delta) + 0.5 * delta.dot(tie.curvature * delta) - wanted;
-        energy += 0.5 * tie.thickness * height * height + 0.5 * tie.anchor * delta.squaredNorm();
+        const double stopped = std::min(0.0, height + wanted + tie.stop);
+        energy += 0.5 * tie.thickness * (height * height + kStopStiffness * stopped * stopped) +
+                  0.5 * tie.anchor * delta.squaredNorm();
         Vec3 side = delta;
         if (drive.shift.cols() > 0) {
             side -= drive.shift.col(i);

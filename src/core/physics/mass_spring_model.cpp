@@ -25,7 +25,7 @@ void index_rows(MassSpringModel& model) {
         for (const auto& [from, to] :
              {std::pair(spring.a, spring.b), std::pair(spring.b, spring.a)}) {
             model.spring_ends[at[from]++] = {to, static_cast<int>(s), spring.stiffness,
-                                             spring.length, spring.stiffening};
+                                             spring.length};
         }
     }
     model.contact_of.assign(static_cast<std::size_t>(n), -1);
@@ -39,6 +39,7 @@ void index_rows(MassSpringModel& model) {
     if (model.layer.links.start.size() == 1) {
         model.layer.links.start.assign(static_cast<std::size_t>(model.skin_nodes) + 1, 0);
     }
+    model.stretch.resize(static_cast<std::size_t>(n));
     model.ties.resize(static_cast<std::size_t>(n));
     model.fixed.resize(static_cast<std::size_t>(n), 0);
     model.label.resize(static_cast<std::size_t>(n));

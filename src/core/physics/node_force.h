@@ -9,21 +9,29 @@
 namespace myoface {
 
 constexpr double kStiffeningStart = 0.2;  // strain
+constexpr double kLimitStiffness = 15.0;  // beyond the limit, of k
+constexpr double kStopStiffness = 20.0;   // of the bone, of k_n
+
+inline Stretch weaker(const Stretch& a, const Stretch& b) {
+    return {std::min(a.stiffening, b.stiffening), std::min(a.limit, b.limit)};
+}
 
 /// Tension of a stretched spring per unit of length, so that the force on a is −ratio · (x_a −
 /// x_b).
 /// @param stiffness k as the drive has it
-inline double tension_ratio(double stiffness, double stiffening, double distance, double natural) {
+inline double tension_ratio(double stiffness, const Stretch& stretch, double distance,
+                            double natural) {
     if (!(distance > 0.0)) {
         return 0.0;
     }
     double tension = stiffness * (distance - natural);
-    if (stiffening > 0.0 && natural > 0.0) {
+    if (natural > 0.0) {
         const double strain = distance / natural - 1.0;
-        const double over = std::abs(strain) - kStiffeningStart;
-        if (over > 0.0) {
-            tension += std::copysign(stiffness * natural * stiffening * over * over, strain);
-        }
+        const double over = std::max(std::abs(strain) - kStiffeningStart, 0.0);
+        const double beyond = std::max(strain - stretch.limit, 0.0);
+        tension +=
+            stiffness * natural *
+            (std::copysign(stretch.stiffening * over * over, strain) + kLimitStiffness * beyond);
     }
     return tension / distance;
 }
@@ -50,8 +58,9 @@ inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Poin
     for (int e = model.spring_start[i]; e < model.spring_start[i + 1]; ++e) {
         const SpringEnd& end = model.spring_ends[e];
         const Vec3 r = at - x.col(end.other);
-        force -= tension_ratio(active_stiffness(end.stiffness, drive, end.spring), end.stiffening,
-                               r.norm(), natural_length(end.length, drive, end.spring)) *
+        force -= tension_ratio(active_stiffness(end.stiffness, drive, end.spring),
+                               weaker(model.stretch[i], model.stretch[end.other]), r.norm(),
+                               natural_length(end.length, drive, end.spring)) *
                  r;
     }
     for (int e = model.linear.start[i]; e < model.linear.start[i + 1]; ++e) {
@@ -64,7 +73,8 @@ inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Poin
         const Vec3 bent = tie.curvature * delta;
         const double wanted = drive.height.size() > 0 ? drive.height[i] : 0.0;
         const double height = tie.normal.dot(delta) + 0.5 * delta.dot(bent) - wanted;
-        force -= tie.thickness * height * (tie.normal + bent);
+        const double stopped = std::min(0.0, height + wanted + tie.stop);
+        force -= tie.thickness * (height + kStopStiffness * stopped) * (tie.normal + bent);
     }
     if (tie.tether > 0.0) {
         Vec3 side = delta;

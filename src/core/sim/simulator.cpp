@@ -18,6 +18,7 @@ namespace {
 constexpr double kStillOnScreen = 2e-5;  // a step below this is seen as rest [mm]
 constexpr int kMostSweeps = 12000;
 constexpr int kMostTimeSteps = 400000;
+constexpr double kClose = 0.02;       // [mm]
 constexpr double kStillSpeed = 0.02;  // a tissue slower than this is at rest [mm/s]
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
@@ -193,6 +194,9 @@ StepReport Simulator::step(int iterations) {
         report.residual = relaxed.residual;
         report.converged = relaxed.converged;
         report.finite = relaxed.finite;
+        if (report.converged) {
+            snap_to_rest();
+        }
     }
     report.solver = solver_name(options_.solver);
     fill_motion(report);
@@ -219,11 +223,28 @@ StepReport Simulator::settle() {
         report.residual = relaxed.residual;
         report.converged = relaxed.converged;
         report.finite = relaxed.finite;
+        if (report.converged) {
+            snap_to_rest();
+        }
     }
     report.solver = solver_name(options_.solver);
     fill_motion(report);
     report.milliseconds = milliseconds_since(start);
     return report;
+}
+
+/// Where nothing acts, the rest is an equilibrium, known exactly: what has come close to it has
+/// arrived.
+void Simulator::snap_to_rest() {
+    const auto nothing = [](double rate) { return rate == 0.0; };
+    if (drag_ || !std::all_of(contractions_.rate.begin(), contractions_.rate.end(), nothing)) {
+        return;
+    }
+    const Points left = state_.positions - system_->model.rest;
+    if (left.colwise().squaredNorm().maxCoeff() < kClose * kClose) {
+        state_.positions = system_->model.rest;
+        solver_->restart();
+    }
 }
 
 StepReport Simulator::integrate(bool to_rest, int steps) {

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "myoface/physics/equilibrium.h"
+
+#include "packed_data.h"
+
+namespace myoface {
+
+/// A handle on packed rows; its target is what is wanted of the *ways* of its rows.
+struct RowHandle {
+    std::vector<int> rows;
+    std::vector<double> weights;
+    Eigen::Matrix<double, 3, 2> plane;
+    Eigen::Vector2d target = Eigen::Vector2d::Zero();
+};
+
+/// A pull on packed rows. @see HandPull
+struct RowPull {
+    const HandPull* hand = nullptr;
+    std::vector<int> grip_rows, rows;
+    Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< of the grip's way
+};
+
+/// Dynamic relaxation of one level: Euler steps with masses scaled to each node's stiffness and
+/// damping that is critical for the slowest motion alive. @cite underwood_1983
+class Relaxation {
+public:
+    explicit Relaxation(const MassSpringModel& model);
+
+    PackedModel::Data& packed() { return packed_; }
+    const PackedModel::Data& packed() const { return packed_; }
+    LargeArray<NodeRecord>& records() { return records_; }
+
+    void set_drive(const Drive& drive);
+    /// Targets or loads in packed() were changed by hand.
+    void stiffness_changed() { since_masses_ = kMassesEvery; }
+    void restart() { warm_ = false; }
+
+    struct Hands {
+        std::span<const RowHandle> handles;
+        std::span<const RowPull> pulls;
+    };
+    /// @param smoothing damp what is rough, for a correction by a coarser level follows
+    /// @param layer displacement of the muscle layer, 3×skin nodes, or null
+    RelaxReport run(const RelaxOptions& options, const Hands& hands, bool smoothing,
+                    const Drive& drive, Points* layer);
+
+    /// What is out of balance at the records' state, without what handles take.
+    /// @return energy, hands left out [µJ]
+    double free_forces(const LargeArray<NodeRecord>& records, const Hands& hands,
+                       LargeArray<VectorLanes>& out, std::vector<Vec3>* held) const;
+
+    const std::vector<Vec3>& hand_forces() const { return hand_forces_; }
+    std::vector<Vec3>& hand_forces() { return hand_forces_; }
+    /// Energy at the start of the last run [µJ].
+    double first_energy() const { return first_energy_; }
+
+private:
+    static constexpr int kMassesEvery = 40;  // iterations
+
+    void cold_start(bool smoothing, bool layer);
+    void scale_masses(const Hands& hands, const Drive& drive, bool layer);
+    double advance(bool smoothing);
+    void advance_layer(const Drive& drive, const Points& layer);
+    void apply_pull(const RowPull& pull, bool layer);
+    void hold(const RowHandle& handle);
+    Eigen::Vector2d pull_force(const LargeArray<NodeRecord>& records, const RowPull& pull) const;
+    double largest_step() const;
+    bool is_free(int row) const { return of_row(mass_, row) > 0.0F; }
+
+    PackedModel::Data packed_;
+    LargeArray<NodeRecord> records_, next_;
+    LargeArray<VectorLanes> force_, last_force_, velocity_;
+    LargeArray<ScalarLanes> mass_;  ///< 0 where fixed
+    Points positions_, layer_velocity_, layer_next_, layer_force_, layer_last_force_;
+    Eigen::VectorXd layer_mass_;
+    std::vector<StepSums> sums_;
+    StepSums layer_sums_{};
+    double damping_ = 0.1;
+    double step_damping_ = 0.1;  ///< of the step just taken
+    double residual_ = 0.0;
+    double first_energy_ = 0.0;
+    bool warm_ = false;
+    int since_cold_ = 0, since_masses_ = 0;  ///< iterations
+    std::vector<Vec3> hand_forces_;
+};
+
+}  // namespace myoface
