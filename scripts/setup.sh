@@ -9,7 +9,7 @@ packages=(
   qtbase5-dev qttools5-dev qttools5-dev-tools
   libeigen3-dev libglfw3-dev libepoxy-dev libegl-dev
   nlohmann-json3-dev libcli11-dev libpng-dev libjpeg-dev libzip-dev libassimp-dev libnanoflann-dev
-  libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev
+  libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev libbullet-dev
   xvfb xauth libgl1-mesa-dri libegl1 fonts-dejavu-core clang-format
 )
 

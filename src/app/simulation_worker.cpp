@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation_worker.h"
 
-#include <algorithm>
-
 #include "myoface/base/error.h"
 
 namespace myoface {
@@ -86,14 +84,9 @@ void SimulationWorker::work() {
     try {
         const bool waited = m_simulator->dragging() || m_sinceChange < kQuickFrames;
         ++m_sinceChange;
-        const int sweeps = std::clamp(
-            static_cast<int>((waited ? kFrameBudget : kSettleBudget) / m_millisecondsPerSweep), 4,
-            200);
-        const StepReport report = m_simulator->step(sweeps);
-        if (report.iterations > 0) {
-            const double each = report.milliseconds / report.iterations;
-            m_millisecondsPerSweep += 0.2 * (each - m_millisecondsPerSweep);
-        }
+        const StepReport report =
+            m_simulator->step(m_governor.sweeps(waited ? kFrameBudget : kSettleBudget));
+        m_governor.learn(report);
         publish(report);
         if (report.converged) {
             m_timer.stop();

@@ -7,6 +7,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "myoface/sim/frame_governor.h"
 #include "myoface/sim/snapshot.h"
 
 namespace myoface {
@@ -49,7 +50,7 @@ private:
     SnapshotBox& m_box;
     std::unique_ptr<Simulator> m_simulator;
     QTimer m_timer;
-    double m_millisecondsPerSweep = 0.5;
+    FrameGovernor m_governor;
     int m_sinceChange = 0;  ///< frames
     std::uint64_t m_frame = 0;
 };

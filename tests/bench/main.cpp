@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the benchmarks and, with --flat=FILE, writes the medians as one flat JSON object together
-// with the ratios between peers: "a_vs_b_x" is how many times faster ours is.
+// with the ratios between peers: "a_vs_b_x" is how many times faster ours is. Counters are written
+// beside the times.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -13,6 +14,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "myoface/cases/case_file.h"
+
 namespace {
 
 class Collector final : public benchmark::ConsoleReporter {
@@ -23,6 +26,9 @@ public:
             if (run.run_type == Run::RT_Iteration && !run.error_occurred) {
                 const std::string name = run.run_name.function_name;
                 times[name].push_back(run.GetAdjustedRealTime());
+                for (const auto& [counter, value] : run.counters) {
+                    times[counter].push_back(value);
+                }
             }
         }
     }
@@ -58,6 +64,11 @@ int main(int argc, char** argv) {
             --argc;
             break;
         }
+    }
+    if (argc == 2 && std::strncmp(argv[1], "--open=", 7) == 0) {
+        myoface::OpenedFace opened = myoface::open_face(argv[1] + 7);
+        myoface::find_missing_landmarks(opened);
+        return myoface::make_simulator(opened)->step(1).finite ? 0 : 1;
     }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) {

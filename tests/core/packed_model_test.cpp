@@ -10,6 +10,7 @@
 #include "myoface/physics/build_mass_spring.h"
 #include "myoface/physics/forces.h"
 
+#include "physics/packed_data.h"
 #include "test_meshes.h"
 
 namespace myoface {
@@ -77,13 +78,13 @@ TEST(PackedModel, GivesTheSameBitsOnEveryProcessorAndForAnyNumberOfThreads) {
     for (const int threads : {1, 2, 4}) {
         for (const bool portable : {false, true}) {
             set_thread_count(threads);
-            use_portable_kernels(portable);
+            use_kernels(portable ? &portable_kernels() : nullptr);
             EXPECT_EQ(packed.forces(d.state.positions), forces);
             EXPECT_EQ(packed.damped_forces(d.state), damped);
             EXPECT_EQ(packed.energy(d.state.positions), energy);
         }
     }
-    use_portable_kernels(false);
+    use_kernels(nullptr);
     set_thread_count(before);
 }
 

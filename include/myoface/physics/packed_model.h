@@ -43,7 +43,5 @@ private:
 
 /// Name of the instructions that the kernels use on this processor.
 const char* kernel_name();
-/// For tests and measurements: portable kernels even where faster ones would run.
-void use_portable_kernels(bool portable);
 
 }  // namespace myoface

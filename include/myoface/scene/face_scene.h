@@ -40,6 +40,7 @@ public:
 
 private:
     std::shared_ptr<const Image> picture() const;
+    void show_skin(const SimSnapshot& snapshot);
     void show_bone();
     void make_mouth();
     void show_mouth(const TriangleMesh& bone);
@@ -52,6 +53,7 @@ private:
     std::vector<Spring> springs_;
     std::vector<MuscleChain> chains_;
     SkinDrawing drawing_;
+    std::unique_ptr<FollowingScan> following_;
     FloatPoints own_colours_;
     Points last_nodes_;
     std::unique_ptr<const Adjacency> bone_adjacency_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "myoface/face/simulated_skin.h"
 
+#include <numeric>
+
 #include <cmath>
 
 #include <Eigen/LU>
@@ -44,6 +46,36 @@ void prepare_following(SimulatedSkin& skin, const Adjacency& adjacency) {
     }
 }
 
+namespace {
+
+/// (Σ e'eᵀ − Σ eeᵀ) S: exactly zero where nothing moved.
+Mat3 affine_change(const SimulatedSkin& skin, const Adjacency& adjacency, int node,
+                   const Points& nodes, const Points& normals) {
+    const Points& rest = skin.mesh.vertices;
+    Mat3 change = (moments(adjacency, node, nodes, normals, rest, skin.normals) -
+                   moments(adjacency, node, rest, skin.normals, rest, skin.normals)) *
+                  skin.surroundings[static_cast<std::size_t>(node)];
+    if (!(change.norm() < kStretchedMost)) {
+        change.setZero();
+    }
+    return change;
+}
+
+/// How far a vertex goes with its nodes.
+Vec3 followed(const SimulatedSkin& skin, int v, const Vec3& at, const Points& nodes,
+              const std::vector<Mat3>& motion) {
+    Vec3 moved = Vec3::Zero();
+    for (int k = 0; k < 3 && skin.between(k, v) >= 0; ++k) {
+        const int node = skin.between(k, v);
+        const Vec3 rest = skin.mesh.vertices.col(node);
+        moved += static_cast<double>(skin.shares(k, v)) *
+                 (nodes.col(node) - rest + motion[static_cast<std::size_t>(node)] * (at - rest));
+    }
+    return moved;
+}
+
+}  // namespace
+
 Points follow(const SimulatedSkin& skin, const Adjacency& adjacency, const Points& scan,
               const Points& nodes) {
     Points result = scan;
@@ -62,36 +94,109 @@ Points follow(const SimulatedSkin& skin, const Adjacency& adjacency, const Point
     }
     const int n = skin.mesh.vertex_count();
     const Points normals = vertex_normals({nodes.leftCols(n), skin.mesh.triangles}, adjacency);
-    std::vector<Mat3> motion(static_cast<std::size_t>(n));  // F − 1
+    std::vector<Mat3> motion(static_cast<std::size_t>(n));
     parallel_for(n, 512, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
-            Mat3& change = motion[static_cast<std::size_t>(i)];
-            // (Σ e'eᵀ − Σ eeᵀ) S: exactly zero where nothing moved.
-            change = (moments(adjacency, i, nodes, normals, rest, skin.normals) -
-                      moments(adjacency, i, rest, skin.normals, rest, skin.normals)) *
-                     skin.surroundings[static_cast<std::size_t>(i)];
-            if (!(change.norm() < kStretchedMost)) {
-                change.setZero();
-            }
+            motion[static_cast<std::size_t>(i)] =
+                affine_change(skin, adjacency, i, nodes, normals);
         }
     });
     parallel_for(count, 4096, [&](int begin, int end) {
         for (int v = begin; v < end; ++v) {
-            if (skin.between(0, v) < 0) {
-                continue;
+            if (skin.between(0, v) >= 0) {
+                result.col(v) += followed(skin, v, scan.col(v), nodes, motion);
             }
-            Vec3 moved = Vec3::Zero();
-            for (int k = 0; k < 3 && skin.between(k, v) >= 0; ++k) {
-                const int node = skin.between(k, v);
-                const Vec3 off = scan.col(v) - rest.col(node);
-                moved += static_cast<double>(skin.shares(k, v)) *
-                         (nodes.col(node) - rest.col(node) +
-                          motion[static_cast<std::size_t>(node)] * off);
-            }
-            result.col(v) += moved;
         }
     });
     return result;
+}
+
+FollowingScan::FollowingScan(const SimulatedSkin& skin, const Adjacency& adjacency,
+                             const Points& scan)
+    : skin_(skin),
+      adjacency_(adjacency),
+      scan_(scan),
+      vertices_(scan),
+      nodes_(skin.mesh.vertices),
+      motion_(static_cast<std::size_t>(skin.coarse() ? nodes_.cols() : 0), Mat3::Zero()),
+      start_(static_cast<std::size_t>(nodes_.cols()) + 1, 0) {
+    const auto count = static_cast<int>(scan.cols());
+    const auto each = [&](const auto& action) {
+        for (int v = 0; v < count; ++v) {
+            for (int k = 0; k < 3 && skin.between(k, v) >= 0; ++k) {
+                action(v, skin.between(k, v));
+            }
+        }
+    };
+    each([&](int, int node) { ++start_[static_cast<std::size_t>(node) + 1]; });
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    followers_.resize(static_cast<std::size_t>(start_.back()));
+    std::vector<int> next(start_.begin(), start_.end() - 1);
+    each([&](int v, int node) {
+        followers_[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = v;
+    });
+}
+
+const Points& FollowingScan::follow(const Points& nodes) {
+    constexpr double kUnseen = 1e-3;  // [mm]
+    const auto n = static_cast<int>(nodes_.cols());
+    moved_.assign(static_cast<std::size_t>(n), 0);
+    parallel_for(n, 2048, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            if ((nodes.col(i) - nodes_.col(i)).cwiseAbs().maxCoeff() > kUnseen) {
+                moved_[static_cast<std::size_t>(i)] = 1;
+                nodes_.col(i) = nodes.col(i);
+            }
+        }
+    });
+    stale_ = moved_;
+    if (skin_.coarse()) {
+        // A vertex goes with the affine motion of its nodes, that with all of their neighbours.
+        const Points normals =
+            vertex_normals({nodes_, skin_.mesh.triangles}, adjacency_);
+        parallel_for(n, 512, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                bool stale = moved_[static_cast<std::size_t>(i)] != 0;
+                for (const int j : adjacency_.neighbours(i)) {
+                    stale = stale || moved_[static_cast<std::size_t>(j)] != 0;
+                }
+                if (stale) {
+                    stale_[static_cast<std::size_t>(i)] = 1;
+                    motion_[static_cast<std::size_t>(i)] =
+                        affine_change(skin_, adjacency_, i, nodes_, normals);
+                }
+            }
+        });
+    }
+    parallel_for(n, 256, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            if (stale_[static_cast<std::size_t>(i)] == 0) {
+                continue;
+            }
+            for (int f = start_[static_cast<std::size_t>(i)];
+                 f < start_[static_cast<std::size_t>(i) + 1]; ++f) {
+                const int v = followers_[static_cast<std::size_t>(f)];
+                // The first of its nodes that is stale takes it along.
+                int first = 0;
+                while (stale_[static_cast<std::size_t>(skin_.between(first, v))] == 0) {
+                    ++first;
+                }
+                if (skin_.between(first, v) == i) {
+                    follow_vertex(v, nodes_);
+                }
+            }
+        }
+    });
+    return vertices_;
+}
+
+void FollowingScan::follow_vertex(int v, const Points& nodes) {
+    if (skin_.coarse()) {
+        vertices_.col(v) = scan_.col(v) + followed(skin_, v, scan_.col(v), nodes, motion_);
+        return;
+    }
+    const int node = skin_.between(0, v);
+    vertices_.col(v) = scan_.col(v) + nodes.col(node) - skin_.mesh.vertices.col(node);
 }
 
 }  // namespace myoface

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "anderson.h"
 #include "level_transfer.h"
 #include "relaxation.h"
 
@@ -92,6 +93,8 @@ struct EquilibriumSolver::Level {
             }
             there = relaxation.packed().resting_records();
             good = relaxation.packed().resting_records();
+            unmixed = relaxation.packed().resting_records();
+            anderson = std::make_unique<Anderson>(slices);
             const auto fewer = static_cast<std::size_t>(below->relaxation.packed().slices);
             gathered.reset(fewer);
             coarse_forces.reset(fewer);
@@ -114,7 +117,7 @@ struct EquilibriumSolver::Level {
         steps = kSmoothingSteps;
         steps_done = 0;
         last_far = 0.0;
-        has_good = false;
+        has_good = mixed = false;
     }
 
     RelaxReport relax_levels(const RelaxOptions& options, const Relaxation::Hands& hands,
@@ -134,6 +137,10 @@ struct EquilibriumSolver::Level {
     LargeArray<NodeRecord> good;      ///< where the last round began
     double good_energy = 0.0;
     bool has_good = false;
+    bool accelerates = false;     ///< the finest level only
+    std::unique_ptr<Anderson> anderson;
+    LargeArray<NodeRecord> unmixed;  ///< where the last round ended
+    bool mixed = false;              ///< and acceleration went on from there
 };
 
 RelaxReport EquilibriumSolver::Level::relax_levels(const RelaxOptions& options,
@@ -169,7 +176,15 @@ RelaxReport EquilibriumSolver::Level::relax_levels(const RelaxOptions& options,
         }
         if (begins && hands.pulls.empty()) {
             const double energy = relaxation.first_energy();
-            if (has_good && energy > good_energy + kRise * std::abs(good_energy)) {
+            const bool rises = has_good && energy > good_energy + kRise * std::abs(good_energy);
+            if (rises && mixed) {
+                std::copy_n(unmixed.data(), unmixed.size(), relaxation.records().data());
+                relaxation.restart();
+                anderson->restart();
+                mixed = false;
+                continue;
+            }
+            if (rises) {
                 std::copy_n(good.data(), good.size(), relaxation.records().data());
                 relaxation.restart();
                 steps = kMostSteps + 1;
@@ -185,6 +200,11 @@ RelaxReport EquilibriumSolver::Level::relax_levels(const RelaxOptions& options,
         }
         steps_done = 0;
         const double far = correct_far(hands, drive);
+        mixed = false;
+        if (accelerates && hands.pulls.empty()) {
+            std::copy_n(relaxation.records().data(), unmixed.size(), unmixed.data());
+            mixed = anderson->accelerate(good, relaxation.records(), relaxation.masses());
+        }
         if (far < kFarStill * options.still_mm &&
             (round.converged || round.last_step < options.still_mm)) {
             report.converged = true;
@@ -274,7 +294,9 @@ double EquilibriumSolver::Level::correct_far(const Relaxation::Hands& hands, con
 }
 
 EquilibriumSolver::EquilibriumSolver(const MassSpringModel& model, const CoarseLevel* coarser)
-    : level_(std::make_unique<Level>(model, coarser)) {}
+    : level_(std::make_unique<Level>(model, coarser)) {
+    level_->accelerates = true;
+}
 
 EquilibriumSolver::~EquilibriumSolver() = default;
 

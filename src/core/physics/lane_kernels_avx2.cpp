@@ -21,6 +21,9 @@ inline Lanes load(const float* from) {
 inline void store(const Lanes& a, float* to) {
     _mm256_storeu_ps(to, a.v);
 }
+inline void store_past_cache(const Lanes& a, float* to) {
+    _mm256_stream_ps(to, a.v);
+}
 inline Lanes operator+(const Lanes& a, const Lanes& b) {
     return {_mm256_add_ps(a.v, b.v)};
 }
@@ -127,8 +130,13 @@ inline void prefetch(const float* records, const std::int32_t* rows) {
 
 namespace myoface {
 
+#ifdef MYOFACE_NATIVE_KERNELS
+const LaneKernels& native_kernels() {
+#else
 const LaneKernels& avx2_kernels() {
-    static constexpr LaneKernels kKernels{"AVX2", forces, damped_forces, row_sums, step};
+#endif
+    static constexpr LaneKernels kKernels{"AVX2", forces, forces_and_energy, damped_forces, row_sums,
+                                           step};
     return kKernels;
 }
 

@@ -30,6 +30,9 @@ inline void store(const Lanes& a, float* to) {
         to[k] = a.v[k];
     }
 }
+inline void store_past_cache(const Lanes& a, float* to) {
+    store(a, to);
+}
 inline Lanes operator+(const Lanes& a, const Lanes& b) {
     return each([&](int k) { return a.v[k] + b.v[k]; });
 }
@@ -108,7 +111,8 @@ inline void prefetch(const float* records, const std::int32_t* rows) {
 namespace myoface {
 
 const LaneKernels& portable_kernels() {
-    static constexpr LaneKernels kKernels{"portable", forces, damped_forces, row_sums, step};
+    static constexpr LaneKernels kKernels{"portable", forces, forces_and_energy, damped_forces, row_sums,
+                                           step};
     return kKernels;
 }
 

@@ -20,14 +20,10 @@ struct alignas(32) NodeRecord {
     float stiffening;  ///< Stretch::stiffening
 };
 
-/// One neighbour of each node of a slice, joined by a spring and perhaps by linear stiffness.
+/// One neighbour of each node of a slice, joined by a spring.
 struct SpringColumn {
     std::int32_t other[kLanes];
     float stiffness[kLanes], length[kLanes];
-    float linear[kLanes];  ///< K_ij ≤ or ≥ 0; acts on the difference of the ways
-};
-struct DampingColumn {
-    float damping[kLanes];
 };
 /// One more node that each node of a slice is joined with by linear stiffness only.
 struct LinkColumn {
@@ -61,13 +57,15 @@ struct ForceTask {
     const int* link_start;
     const SpringColumn* springs;
     const LinkColumn* links;
+    const ScalarLanes* linear;  ///< per column of springs: K_ij, acts on the difference of the ways
     const TieLanes* ties;
     const TargetLanes* targets;  ///< or null
     const LoadLanes* loads;      ///< or null
-    const DampingColumn* damping;
+    const ScalarLanes* damping;  ///< per column of springs, in motion only
     const ScalarLanes* tie_damping;
     const VectorLanes* linear_rest;  ///< Σ K_ij (rest_j − rest_i), in motion only
     const VectorLanes* rest;         ///< in motion only
+    bool tissue;                     ///< springs stiffen, have limits, and linear stiffness
     bool sliding;                    ///< some tie has thickness or tether
     bool prefetch;                   ///< the records do not fit into the cache
 };
@@ -88,8 +86,10 @@ struct StepSums {
 /// The kernels of one instruction set. Slices [begin, end).
 struct LaneKernels {
     const char* name;
-    /// Elastic forces around rest; records hold rest and way. @return energy [µJ]
-    double (*forces)(const ForceTask& task, int begin, int end, VectorLanes* out);
+    /// Elastic forces around rest; records hold rest and way.
+    void (*forces)(const ForceTask& task, int begin, int end, VectorLanes* out);
+    /// The same. @return energy [µJ]
+    double (*forces_and_energy)(const ForceTask& task, int begin, int end, VectorLanes* out);
     /// All forces in motion, dampers included; records hold position and velocity.
     void (*damped_forces)(const ForceTask& task, int begin, int end, VectorLanes* out);
     /// Gershgorin row sums Σ|K_ij| at the records' state, ties included.

@@ -69,6 +69,7 @@ void LevelTransfer::restrict_ways(const LargeArray<NodeRecord>& finer,
 void LevelTransfer::restrict_forces(const LargeArray<VectorLanes>& finer,
                                     LargeArray<VectorLanes>& coarser) const {
     parallel_for(coarser_rows_, kGrain, [&](int begin, int end) {
+        const FlushTiny flush;
         for (int r = begin; r < end; ++r) {
             float sum[3] = {};
             for (int e = down_.start[r]; e < down_.start[r + 1]; ++e) {
@@ -86,6 +87,7 @@ void LevelTransfer::restrict_forces(const LargeArray<VectorLanes>& finer,
 void LevelTransfer::prolong(const LargeArray<NodeRecord>& from, const LargeArray<NodeRecord>& to,
                             LargeArray<VectorLanes>& finer) const {
     parallel_for(finer_rows_, kGrain, [&](int begin, int end) {
+        const FlushTiny flush;
         for (int r = begin; r < end; ++r) {
             float sum[3] = {};
             if (is_fixed_[r] == 0) {

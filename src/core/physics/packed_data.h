@@ -7,6 +7,7 @@
 #include "myoface/base/parallel.h"
 #include "myoface/physics/packed_model.h"
 
+#include "flush_tiny.h"
 #include "lane_tasks.h"
 #include "large_array.h"
 
@@ -38,6 +39,8 @@ inline float of_row(const LargeArray<ScalarLanes>& a, int row) {
 
 /// The kernels that run here: the fastest that the processor has.
 const LaneKernels& lane_kernels();
+/// For tests and measurements: these instead; null: the fastest again.
+void use_kernels(const LaneKernels* kernels);
 
 /// Nodes in rows, eight rows a slice; the last slice is filled up with rows that nothing touches.
 struct PackedModel::Data {
@@ -55,12 +58,13 @@ struct PackedModel::Data {
     void take(const LargeArray<NodeRecord>& records, Points& positions) const;
     /// Forces without dampers. @return energy [µJ]
     double forces(const LargeArray<NodeRecord>& records, LargeArray<VectorLanes>& out) const {
-        return forces_then(records, out, [](int, int) {});
+        return forces_then(records, out, true, [](int, int) {});
     }
     /// The same; `after(begin, end)` works on slices whose forces are still in the cache.
+    /// @return energy where it is wanted
     template <typename After>
     double forces_then(const LargeArray<NodeRecord>& records, LargeArray<VectorLanes>& out,
-                       const After& after) const;
+                       bool with_energy, const After& after) const;
     void damped_forces(const LargeArray<NodeRecord>& records, LargeArray<VectorLanes>& out) const;
     /// Gershgorin row sums [mN/mm]. @see stiffness_row_sums()
     void row_sums(const LargeArray<NodeRecord>& records, LargeArray<ScalarLanes>& out) const;
@@ -74,14 +78,14 @@ struct PackedModel::Data {
     std::vector<int> node_of;  ///< per row, −1 where filled up
     std::vector<int> spring_start, link_start;
     LargeArray<SpringColumn> springs;
+    LargeArray<ScalarLanes> linear;  ///< per column of springs
     LargeArray<LinkColumn> links;
     LargeArray<TieLanes> ties;
     LargeArray<TargetLanes> targets;
     LargeArray<LoadLanes> loads;
-    bool sliding = false, targeted = false, loaded = false;
+    bool tissue = false, sliding = false, targeted = false, loaded = false;
     // For motion in time only.
-    LargeArray<DampingColumn> damping;
-    LargeArray<ScalarLanes> tie_damping;
+    LargeArray<ScalarLanes> damping, tie_damping;
     LargeArray<VectorLanes> linear_rest, rest;
     // Of the last call through PackedModel.
     LargeArray<NodeRecord> last_records;
@@ -112,14 +116,21 @@ private:
 
 template <typename After>
 double PackedModel::Data::forces_then(const LargeArray<NodeRecord>& records,
-                                      LargeArray<VectorLanes>& out, const After& after) const {
+                                      LargeArray<VectorLanes>& out, bool with_energy,
+                                      const After& after) const {
     const ForceTask work = task(records);
     const LaneKernels& kernels = lane_kernels();
     std::vector<double> energies(static_cast<std::size_t>(slices / kSliceGrain + 1), 0.0);
     parallel_for(slices, kSliceGrain, [&](int begin, int end) {
+        const FlushTiny flush;
+        double energy = 0.0;
+        if (with_energy) {
+            energy = kernels.forces_and_energy(work, begin, end, out.data());
+        } else {
+            kernels.forces(work, begin, end, out.data());
+        }
         energies[begin / kSliceGrain] =
-            kernels.forces(work, begin, end, out.data()) +
-            contact_forces(records, false, begin * kLanes, end * kLanes, out);
+            energy + contact_forces(records, false, begin * kLanes, end * kLanes, out);
         after(begin, end);
     });
     return std::accumulate(energies.begin(), energies.end(), 0.0);

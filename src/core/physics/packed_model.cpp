@@ -16,12 +16,12 @@ namespace myoface {
 namespace {
 
 constexpr int kWindow = 256;           // rows sorted by their number of neighbours
-constexpr int kPaddingColumns = 16;    // that prefetching may look at
+constexpr int kPaddingColumns = 40;    // that prefetching may look at
 constexpr int kBeyondCache = 150'000;  // nodes
 constexpr double kNoLength = 1e-6;     // [mm]
 constexpr double kNothing = 1e-9;      // of a row's stiffness: rounding
 
-std::atomic<bool> portable_wanted{false};
+std::atomic<const LaneKernels*> chosen_kernels{nullptr};
 
 /// Bits of three coordinates, interleaved. @cite morton_1966
 std::uint64_t morton_code(const Eigen::Matrix<std::uint32_t, 3, 1>& cell) {
@@ -65,24 +65,30 @@ float packed_length(const MassSpringModel& model, const Spring& spring, double n
 }  // namespace
 
 const LaneKernels& lane_kernels() {
+    if (const LaneKernels* chosen = chosen_kernels.load(std::memory_order_relaxed)) {
+        return *chosen;
+    }
 #ifdef MYOFACE_AVX2_KERNELS
     static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-    if (has_avx2 && !portable_wanted.load(std::memory_order_relaxed)) {
+    if (has_avx2) {
         return avx2_kernels();
     }
 #endif
     return portable_kernels();
 }
 
+void use_kernels(const LaneKernels* kernels) {
+    chosen_kernels.store(kernels);
+}
+
 const char* kernel_name() {
     return lane_kernels().name;
 }
 
-void use_portable_kernels(bool portable) {
-    portable_wanted.store(portable);
-}
-
 PackedModel::Data::Data(const MassSpringModel& of) : model(of), nodes(of.node_count()) {
+    tissue = std::any_of(model.stretch.begin(), model.stretch.end(), [](const Stretch& s) {
+        return s.stiffening > 0.0 || s.limit < Stretch{}.limit;
+    });
     order_rows();
     fill_columns();
     fill_ties();
@@ -190,13 +196,15 @@ void PackedModel::Data::fill_columns() {
         link_start.push_back(static_cast<int>(linked.size()));
     }
     springs.reset(with_spring.size() + kPaddingColumns);
+    linear.reset(springs.size());
     links.reset(linked.size());
     spring_places_.assign(model.springs.size(), {-1, -1});
     for (std::size_t c = 0; c < with_spring.size(); ++c) {
         for (int lane = 0; lane < kLanes; ++lane) {
             const Neighbour& n = with_spring[c][lane];
             springs[c].other[lane] = n.row;
-            springs[c].linear[lane] = static_cast<float>(n.linear);
+            linear[c].s[lane] = static_cast<float>(n.linear);
+            tissue = tissue || n.linear != 0.0;
             springs[c].length[lane] = 1.0F;
             if (n.spring >= 0) {
                 const Spring& spring = model.springs[n.spring];
@@ -374,6 +382,7 @@ ForceTask PackedModel::Data::task(const LargeArray<NodeRecord>& records) const {
     task.link_start = link_start.data();
     task.springs = springs.data();
     task.links = links.data();
+    task.linear = linear.data();
     task.ties = ties.data();
     task.targets = targeted ? targets.data() : nullptr;
     task.loads = loaded ? loads.data() : nullptr;
@@ -381,6 +390,7 @@ ForceTask PackedModel::Data::task(const LargeArray<NodeRecord>& records) const {
     task.tie_damping = tie_damping.data();
     task.linear_rest = linear_rest.empty() ? nullptr : linear_rest.data();
     task.rest = rest.data();
+    task.tissue = tissue;
     task.sliding = sliding;
     task.prefetch = nodes > kBeyondCache;
     return task;
@@ -432,7 +442,7 @@ void PackedModel::Data::prepare_damping() {
             continue;
         }
         for (const int place : {spring_places_[s].first, spring_places_[s].second}) {
-            damping[place / kLanes].damping[place % kLanes] =
+            damping[place / kLanes].s[place % kLanes] =
                 static_cast<float>(model.springs[s].damping);
         }
     }
@@ -461,6 +471,7 @@ void PackedModel::Data::damped_forces(const LargeArray<NodeRecord>& records,
     const ForceTask work = task(records);
     const LaneKernels& kernels = lane_kernels();
     parallel_for(slices, kSliceGrain, [&](int begin, int end) {
+        const FlushTiny flush;
         kernels.damped_forces(work, begin, end, out.data());
         contact_forces(records, true, begin * kLanes, end * kLanes, out);
     });
@@ -509,19 +520,20 @@ void PackedModel::repeat_pass(bool damped) {
     if (damped) {
         data_->damped_forces(data_->last_records, data_->last_forces);
     } else {
-        data_->forces(data_->last_records, data_->last_forces);
+        data_->forces_then(data_->last_records, data_->last_forces, false, [](int, int) {});
     }
 }
 
 double PackedModel::bytes_of_pass(bool damped) const {
     const Data& d = *data_;
     const double ends = static_cast<double>(d.spring_start.back());
-    const double per_slice = kLanes * sizeof(NodeRecord) + sizeof(VectorLanes) + sizeof(TieLanes) +
-                             2 * sizeof(int) + (d.loaded ? sizeof(LoadLanes) : 0) +
+    const double per_slice = kLanes * sizeof(NodeRecord) + sizeof(VectorLanes) + sizeof(TieLanes::anchor) +
+        (d.sliding ? sizeof(TieLanes) - sizeof(TieLanes::anchor) : 0) + 2 * sizeof(int) + (d.loaded ? sizeof(LoadLanes) : 0) +
                              (d.targeted ? sizeof(TargetLanes) : 0) +
                              (damped ? sizeof(VectorLanes) + sizeof(ScalarLanes) : 0) +
                              (damped && !d.linear_rest.empty() ? sizeof(VectorLanes) : 0);
-    return ends * (sizeof(SpringColumn) + (damped ? sizeof(DampingColumn) : 0)) +
+    return ends * (sizeof(SpringColumn) + (damped ? sizeof(ScalarLanes) : 0) +
+                   (d.tissue ? sizeof(ScalarLanes) : 0)) +
            static_cast<double>(d.links.size()) * sizeof(LinkColumn) +
            static_cast<double>(d.slices) * static_cast<double>(per_slice);
 }

@@ -117,7 +117,7 @@ Eigen::Vector2d Relaxation::pull_force(const LargeArray<NodeRecord>& records,
 }
 
 /// One step of all nodes into next_. @return energy before it
-double Relaxation::advance(bool smoothing) {
+double Relaxation::advance(bool smoothing, bool with_energy) {
     StepTask work{};
     work.force = force_.data();
     work.last_force = last_force_.data();
@@ -127,7 +127,7 @@ double Relaxation::advance(bool smoothing) {
     work.to = next_.data();
     work.keep = static_cast<float>((2.0 - damping_) / (2.0 + damping_));
     work.push = static_cast<float>(2.0 / (2.0 + damping_));
-    const double energy = packed_.forces_then(records_, force_, [&](int begin, int end) {
+    const double energy = packed_.forces_then(records_, force_, with_energy, [&](int begin, int end) {
         sums_[begin / kSliceGrain] = lane_kernels().step(work, begin, end);
     });
     StepSums total{};
@@ -315,10 +315,12 @@ RelaxReport Relaxation::run(const RelaxOptions& options, const Hands& hands, boo
             packed_.set_shift(drive, *layer);
         }
         const double before = energy;
-        energy = advance(smoothing);
+        const bool weighed = k % kLookEvery == 0;
+        const double now = advance(smoothing, weighed);
+        energy = weighed ? now : energy;
         if (k == 0) {
             first_energy_ = energy;
-        } else if (!smoothing && hands.pulls.empty() && layer == nullptr &&
+        } else if (weighed && !smoothing && hands.pulls.empty() && layer == nullptr &&
                    energy > before + kRise * std::abs(before)) {
             // Uphill: momentum has carried it past the valley. On from here without.
             std::fill(velocity_.begin(), velocity_.end(), VectorLanes{});

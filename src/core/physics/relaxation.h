@@ -54,6 +54,7 @@ public:
     double free_forces(const LargeArray<NodeRecord>& records, const Hands& hands,
                        LargeArray<VectorLanes>& out, std::vector<Vec3>* held) const;
 
+    const LargeArray<ScalarLanes>& masses() const { return mass_; }
     const std::vector<Vec3>& hand_forces() const { return hand_forces_; }
     std::vector<Vec3>& hand_forces() { return hand_forces_; }
     /// Energy at the start of the last run [µJ].
@@ -64,7 +65,7 @@ private:
 
     void cold_start(bool smoothing, bool layer);
     void scale_masses(const Hands& hands, const Drive& drive, bool layer);
-    double advance(bool smoothing);
+    double advance(bool smoothing, bool with_energy);
     void advance_layer(const Drive& drive, const Points& layer);
     void apply_pull(const RowPull& pull, bool layer);
     void hold(const RowHandle& handle);

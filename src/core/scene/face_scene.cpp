@@ -37,6 +37,8 @@ void FaceScene::set_face(std::shared_ptr<const FaceModel> face, const std::vecto
     face_ = std::move(face);
     springs_ = springs;
     chains_ = chains;
+    following_ = std::make_unique<FollowingScan>(face_->skin, *face_->adjacency,
+                                                 face_->scan->mesh.vertices);
     const TriangleMesh& bone = face_->bone;
     SurfaceLayer& layer = scene_.bone;
     layer.indices.clear();
@@ -137,7 +139,7 @@ void FaceScene::show_bone() {
 
 void FaceScene::show(const SimSnapshot& snapshot) {
     last_nodes_ = snapshot.positions;
-    drawing_.move(scene_.skin, scan_positions(*face_, snapshot.positions, snapshot.jaw));
+    show_skin(snapshot);
     if (snapshot.jaw != jaw_) {
         jaw_ = snapshot.jaw;
         show_bone();
@@ -149,6 +151,17 @@ void FaceScene::show(const SimSnapshot& snapshot) {
         show_springs(snapshot.positions);
     }
     ++scene_.motion;
+}
+
+void FaceScene::show_skin(const SimSnapshot& snapshot) {
+    const Points& followed = following_->follow(snapshot.positions);
+    if (face_->jaw_vertices.empty()) {
+        drawing_.move(scene_.skin, followed);
+        return;
+    }
+    Points vertices = followed;
+    turn_with_jaw(*face_, snapshot.jaw, vertices);
+    drawing_.move(scene_.skin, vertices);
 }
 
 void FaceScene::show_muscles(const Points& nodes) {
