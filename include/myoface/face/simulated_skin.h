@@ -39,23 +39,29 @@ Points follow(const SimulatedSkin& skin, const Adjacency& adjacency, const Point
 /// frame before is touched.
 class FollowingScan {
 public:
-    /// @param skin, adjacency outlive it
-    FollowingScan(const SimulatedSkin& skin, const Adjacency& adjacency, const Points& scan);
+    /// @param skin, adjacency outlive it @param normals 3×vertices of the scan at rest, unit
+    FollowingScan(const SimulatedSkin& skin, const Adjacency& adjacency, const Points& scan,
+                  const Eigen::Matrix3Xf& normals);
 
-    /// As follow(), to within a thousandth of a millimetre.
+    /// As follow(), to within a few thousandths of a millimetre.
     const Points& follow(const Points& nodes);
+    /// Of a scan that is finer than its nodes: normals turned by the affine motion of the nodes,
+    /// which spares a walk over all triangles; else 3×0.
+    const Eigen::Matrix3Xf& normals() const { return normals_; }
+    /// Per vertex of the scan: whether the last follow() touched it.
+    const std::vector<char>& touched() const { return touched_; }
 
 private:
-    void follow_vertex(int v, const Points& nodes);
+    void follow_vertex(int v);
 
     const SimulatedSkin& skin_;
     const Adjacency& adjacency_;
     const Points scan_;
     Points vertices_;
-    Points nodes_;                        ///< as they were when `vertices_` last followed them
-    std::vector<Mat3> motion_;            ///< per node: affine motion less 1
-    std::vector<int> start_, followers_;  ///< per node: vertices that follow it
-    std::vector<char> moved_, stale_;
+    Eigen::Matrix3Xf rest_normals_, normals_;
+    Points nodes_;              ///< as they were when `vertices_` last followed them
+    std::vector<Mat3> motion_;  ///< per node: affine motion less 1
+    std::vector<char> moved_, stale_, touched_;
 };
 
 }  // namespace myoface

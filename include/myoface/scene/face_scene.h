@@ -55,7 +55,10 @@ private:
     SkinDrawing drawing_;
     std::unique_ptr<FollowingScan> following_;
     FloatPoints own_colours_;
+    FloatPoints rest_normals_;  ///< 3×vertices of the scan
     Points last_nodes_;
+    Points turned_;            ///< 3×vertices: loose parts where the mandible has them
+    std::vector<char> turns_;  ///< per vertex: such a part
     std::unique_ptr<const Adjacency> bone_adjacency_;
     std::unique_ptr<const Adjacency> lining_adjacency_;
     std::vector<int> teeth_;  ///< bone vertices of the mouth layer; the lining's follow

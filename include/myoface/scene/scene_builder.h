@@ -25,11 +25,16 @@ public:
     void fill(SurfaceLayer& layer, const Scan& scan, const SkinTexture* texture) const;
     /// Moves a layer to new vertex positions (3×N of the scan, mm). What is off by less than a
     /// tenth of a micrometre stays, and costs nothing.
-    void move(SurfaceLayer& layer, const Points& vertices) const;
+    /// @param moved per vertex, where it is known which moved
+    /// @param normals of the vertices, where they are known; 3×0: taken from the triangles
+    void move(SurfaceLayer& layer, const Points& vertices, const std::vector<char>& moved = {},
+              const FloatPoints& normals = FloatPoints(3, 0)) const;
     int scan_vertex(int drawn) const { return source_[static_cast<std::size_t>(drawn)]; }
     int drawn_count() const { return static_cast<int>(source_.size()); }
 
 private:
+    void turn_normal(SurfaceLayer& layer, const Points& vertices, int welded) const;
+
     std::vector<int> source_;           ///< drawn vertex -> scan vertex
     std::vector<int> source_uv_;        ///< drawn vertex -> UV, -1
     std::vector<int> source_material_;  ///< drawn vertex -> material, -1
@@ -38,6 +43,7 @@ private:
     Triangles welded_triangles_;
     std::vector<int> first_;     ///< welded vertex -> a scan vertex
     VertexTriangles triangles_;  ///< at welded vertices
+    std::vector<int> drawn_start_, drawn_of_;  ///< per welded vertex: drawn vertices
 };
 
 /// 0 on open skin … 1 deep in folds, for soft shadows: from the smoothed mean curvature.

@@ -25,8 +25,6 @@ struct SimSnapshot {
 /// Positions of the scan's vertices for given node positions: exactly the scan where nothing moved.
 /// Loose parts that hang on the mandible turn with it. @param jaw share of its full opening
 Points scan_positions(const FaceModel& face, const Points& node_positions, double jaw);
-/// The same for scan vertices that have followed the nodes: turns those parts with the mandible.
-void turn_with_jaw(const FaceModel& face, double jaw, Points& vertices);
 
 /// Writes a face as it stands at a moment. While lips that were parted for the simulation touch,
 /// the file has the vertices and faces of the scan as it came; once they open, the margins' own

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "myoface/face/simulated_skin.h"
 
-#include <numeric>
-
 #include <cmath>
 
 #include <Eigen/LU>
@@ -112,33 +110,19 @@ Points follow(const SimulatedSkin& skin, const Adjacency& adjacency, const Point
 }
 
 FollowingScan::FollowingScan(const SimulatedSkin& skin, const Adjacency& adjacency,
-                             const Points& scan)
+                             const Points& scan, const Eigen::Matrix3Xf& normals)
     : skin_(skin),
       adjacency_(adjacency),
       scan_(scan),
       vertices_(scan),
+      rest_normals_(skin.coarse() ? normals : Eigen::Matrix3Xf(3, 0)),
+      normals_(rest_normals_),
       nodes_(skin.mesh.vertices),
       motion_(static_cast<std::size_t>(skin.coarse() ? nodes_.cols() : 0), Mat3::Zero()),
-      start_(static_cast<std::size_t>(nodes_.cols()) + 1, 0) {
-    const auto count = static_cast<int>(scan.cols());
-    const auto each = [&](const auto& action) {
-        for (int v = 0; v < count; ++v) {
-            for (int k = 0; k < 3 && skin.between(k, v) >= 0; ++k) {
-                action(v, skin.between(k, v));
-            }
-        }
-    };
-    each([&](int, int node) { ++start_[static_cast<std::size_t>(node) + 1]; });
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    followers_.resize(static_cast<std::size_t>(start_.back()));
-    std::vector<int> next(start_.begin(), start_.end() - 1);
-    each([&](int v, int node) {
-        followers_[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = v;
-    });
-}
+      touched_(static_cast<std::size_t>(scan.cols()), 0) {}
 
 const Points& FollowingScan::follow(const Points& nodes) {
-    constexpr double kUnseen = 1e-3;  // [mm]
+    constexpr double kUnseen = 4e-3;  // [mm]
     const auto n = static_cast<int>(nodes_.cols());
     moved_.assign(static_cast<std::size_t>(n), 0);
     parallel_for(n, 2048, [&](int begin, int end) {
@@ -168,35 +152,42 @@ const Points& FollowingScan::follow(const Points& nodes) {
             }
         });
     }
-    parallel_for(n, 256, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-            if (stale_[static_cast<std::size_t>(i)] == 0) {
-                continue;
+    parallel_for(static_cast<int>(scan_.cols()), 4096, [&](int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            bool touched = false;
+            for (int k = 0; k < 3 && skin_.between(k, v) >= 0; ++k) {
+                touched = touched || stale_[static_cast<std::size_t>(skin_.between(k, v))] != 0;
             }
-            for (int f = start_[static_cast<std::size_t>(i)];
-                 f < start_[static_cast<std::size_t>(i) + 1]; ++f) {
-                const int v = followers_[static_cast<std::size_t>(f)];
-                // The first of its nodes that is stale takes it along.
-                int first = 0;
-                while (stale_[static_cast<std::size_t>(skin_.between(first, v))] == 0) {
-                    ++first;
-                }
-                if (skin_.between(first, v) == i) {
-                    follow_vertex(v, nodes_);
-                }
+            touched_[static_cast<std::size_t>(v)] = touched ? 1 : 0;
+            if (touched) {
+                follow_vertex(v);
             }
         }
     });
     return vertices_;
 }
 
-void FollowingScan::follow_vertex(int v, const Points& nodes) {
+void FollowingScan::follow_vertex(int v) {
     if (skin_.coarse()) {
-        vertices_.col(v) = scan_.col(v) + followed(skin_, v, scan_.col(v), nodes, motion_);
+        vertices_.col(v) = scan_.col(v) + followed(skin_, v, scan_.col(v), nodes_, motion_);
+        Mat3 f = Mat3::Identity();
+        for (int k = 0; k < 3 && skin_.between(k, v) >= 0; ++k) {
+            f += static_cast<double>(skin_.shares(k, v)) *
+                 motion_[static_cast<std::size_t>(skin_.between(k, v))];
+        }
+        // Normals turn with the cofactors: with the areas that they stand on.
+        const Vec3 normal = rest_normals_.col(v).cast<double>();
+        const Vec3 turned = normal.x() * f.col(1).cross(f.col(2)) +
+                            normal.y() * f.col(2).cross(f.col(0)) +
+                            normal.z() * f.col(0).cross(f.col(1));
+        const double length = turned.norm();
+        if (length > 1e-6) {
+            normals_.col(v) = (turned / length).cast<float>();
+        }
         return;
     }
     const int node = skin_.between(0, v);
-    vertices_.col(v) = scan_.col(v) + nodes.col(node) - skin_.mesh.vertices.col(node);
+    vertices_.col(v) = scan_.col(v) + nodes_.col(node) - skin_.mesh.vertices.col(node);
 }
 
 }  // namespace myoface

@@ -16,6 +16,7 @@ constexpr int kMostSteps = 30;      // of a round; when that does not do, steps 
 constexpr int kCoarseSteps = 40;    // on the coarsest
 constexpr double kFarthest = 3.0;   // [mm] at once: further on the finer level is another one
 constexpr double kFarStill = 25.0;  // of a step at rest: a correction that says as much
+constexpr double kMixNear = 0.5;    // [mm] a correction from which on rounds are accelerated
 constexpr double kRise = 1e-5;      // of the energy: rounding
 
 RowHandle on_rows(const Handle& handle, const PackedModel::Data& packed) {
@@ -113,11 +114,20 @@ struct EquilibriumSolver::Level {
         }
     }
 
-    void begin_rounds() {
+    /// What was learnt of the way to the last equilibrium counts no more; a round goes on.
+    void hands_moved() {
+        steps_done = steps == kSmoothingSteps ? steps_done : 0;
         steps = kSmoothingSteps;
-        steps_done = 0;
         last_far = 0.0;
+        if (anderson) {
+            anderson->restart();
+        }
         has_good = mixed = false;
+        rounds = 0;
+    }
+    void begin_rounds() {
+        hands_moved();
+        steps_done = 0;
     }
 
     RelaxReport relax_levels(const RelaxOptions& options, const Relaxation::Hands& hands,
@@ -137,6 +147,7 @@ struct EquilibriumSolver::Level {
     LargeArray<NodeRecord> good;      ///< where the last round began
     double good_energy = 0.0;
     bool has_good = false;
+    int rounds = 0;  ///< since begin_rounds()
     bool accelerates = false;     ///< the finest level only
     std::unique_ptr<Anderson> anderson;
     LargeArray<NodeRecord> unmixed;  ///< where the last round ended
@@ -190,9 +201,10 @@ RelaxReport EquilibriumSolver::Level::relax_levels(const RelaxOptions& options,
                 steps = kMostSteps + 1;
                 continue;
             }
+            // Before the first round hands may not yet have what they want: its energy is no measure.
             good.swap(there);
             good_energy = energy;
-            has_good = true;
+            has_good = rounds++ > 0;
         }
         steps_done += round.iterations;
         if (steps_done < steps && !round.converged) {
@@ -201,7 +213,7 @@ RelaxReport EquilibriumSolver::Level::relax_levels(const RelaxOptions& options,
         steps_done = 0;
         const double far = correct_far(hands, drive);
         mixed = false;
-        if (accelerates && hands.pulls.empty()) {
+        if (accelerates && hands.pulls.empty() && far < kMixNear) {
             std::copy_n(relaxation.records().data(), unmixed.size(), unmixed.data());
             mixed = anderson->accelerate(good, relaxation.records(), relaxation.masses());
         }
@@ -331,7 +343,7 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
         targets.push_back(handle.target);
     }
     if (targets != targets_) {  // the hand went on: far-reaching motion again
-        level_->begin_rounds();
+        level_->hands_moved();
         targets_ = std::move(targets);
     }
     Relaxation& relaxation = level_->relaxation;

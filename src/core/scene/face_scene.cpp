@@ -14,6 +14,7 @@ FaceScene::FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const Ski
     drawing_.fill(scene_.skin, *scan_, texture_.get());
     scene_.skin.texture = picture();
     own_colours_ = scene_.skin.colours;
+    rest_normals_ = scene_.skin.normals.leftCols(scan_->mesh.vertex_count());
     const Points& v = scan_->mesh.vertices;
     scene_.centre = 0.5 * (v.rowwise().maxCoeff() + v.rowwise().minCoeff());
     scene_.radius = 0.5 * (v.rowwise().maxCoeff() - v.rowwise().minCoeff()).norm();
@@ -38,7 +39,7 @@ void FaceScene::set_face(std::shared_ptr<const FaceModel> face, const std::vecto
     springs_ = springs;
     chains_ = chains;
     following_ = std::make_unique<FollowingScan>(face_->skin, *face_->adjacency,
-                                                 face_->scan->mesh.vertices);
+                                                 face_->scan->mesh.vertices, rest_normals_);
     const TriangleMesh& bone = face_->bone;
     SurfaceLayer& layer = scene_.bone;
     layer.indices.clear();
@@ -155,13 +156,21 @@ void FaceScene::show(const SimSnapshot& snapshot) {
 
 void FaceScene::show_skin(const SimSnapshot& snapshot) {
     const Points& followed = following_->follow(snapshot.positions);
-    if (face_->jaw_vertices.empty()) {
-        drawing_.move(scene_.skin, followed);
-        return;
+    drawing_.move(scene_.skin, followed, following_->touched(), following_->normals());
+    if (snapshot.jaw != jaw_ && !face_->jaw_vertices.empty()) {
+        // Loose parts that hang on the mandible follow no node.
+        if (turned_.cols() == 0) {
+            turned_ = scan_->mesh.vertices;
+            turns_.assign(static_cast<std::size_t>(turned_.cols()), 0);
+            for (const int v : face_->jaw_vertices) {
+                turns_[static_cast<std::size_t>(v)] = 1;
+            }
+        }
+        for (const int v : face_->jaw_vertices) {
+            turned_.col(v) = opened(face_->jaw, snapshot.jaw, scan_->mesh.vertices.col(v));
+        }
+        drawing_.move(scene_.skin, turned_, turns_);
     }
-    Points vertices = followed;
-    turn_with_jaw(*face_, snapshot.jaw, vertices);
-    drawing_.move(scene_.skin, vertices);
 }
 
 void FaceScene::show_muscles(const Points& nodes) {

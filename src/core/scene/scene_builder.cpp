@@ -6,6 +6,7 @@
 #include <atomic>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <span>
 
 #include "myoface/base/parallel.h"
@@ -92,6 +93,20 @@ SkinDrawing::SkinDrawing(const Scan& scan) {
             first_[welded_[v]] = v;
         }
     }
+    drawn_start_.assign(first_.size() + 1, 0);
+    for (const int v : source_) {
+        if (welded_[v] >= 0) {
+            ++drawn_start_[welded_[v] + 1];
+        }
+    }
+    std::partial_sum(drawn_start_.begin(), drawn_start_.end(), drawn_start_.begin());
+    drawn_of_.resize(static_cast<std::size_t>(drawn_start_.back()));
+    std::vector<int> next(drawn_start_.begin(), drawn_start_.end() - 1);
+    for (int i = 0; i < drawn_count(); ++i) {
+        if (welded_[source_[i]] >= 0) {
+            drawn_of_[next[welded_[source_[i]]]++] = i;
+        }
+    }
 }
 
 void SkinDrawing::fill(SurfaceLayer& layer, const Scan& scan, const SkinTexture* texture) const {
@@ -123,45 +138,66 @@ void SkinDrawing::fill(SurfaceLayer& layer, const Scan& scan, const SkinTexture*
     move(layer, scan.mesh.vertices);
 }
 
-void SkinDrawing::move(SurfaceLayer& layer, const Points& vertices) const {
+void SkinDrawing::move(SurfaceLayer& layer, const Points& vertices,
+                       const std::vector<char>& moved, const FloatPoints& normals) const {
     constexpr double kUnseen = 1e-4;  // [mm]
-    // Which welded vertices moved, and which normals are stale for it. Several threads may set one
-    // flag.
+    const bool known = !moved.empty();
+    if (known && normals.cols() > 0) {
+        parallel_for(drawn_count(), 4096, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                const int v = source_[i];
+                if (moved[v] != 0) {
+                    layer.positions.col(i) = vertices.col(v).cast<float>();
+                    layer.normals.col(i) = normals.col(v);
+                }
+            }
+        });
+        return;
+    }
+    // Which normals are stale. Several threads may set one flag.
     std::vector<char> stale(first_.size(), 0);
-    const auto set = [&](int w) {
-        std::atomic_ref(stale[static_cast<std::size_t>(w)]).store(1, std::memory_order_relaxed);
-    };
     parallel_for(drawn_count(), 4096, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
-            const Vec3 to = vertices.col(source_[i]);
-            if ((layer.positions.col(i).cast<double>() - to).cwiseAbs().maxCoeff() < kUnseen) {
+            const int v = source_[i];
+            if (known && moved[v] == 0) {
+                continue;
+            }
+            const Vec3 to = vertices.col(v);
+            if (!known &&
+                (layer.positions.col(i).cast<double>() - to).cwiseAbs().maxCoeff() < kUnseen) {
                 continue;
             }
             layer.positions.col(i) = to.cast<float>();
-            const int w = welded_[source_[i]];
+            const int w = welded_[v];
             for (const int t : w >= 0 ? triangles_.at(w) : std::span<const int>()) {
                 for (int c = 0; c < 3; ++c) {
-                    set(welded_triangles_(c, t));
+                    std::atomic_ref(stale[welded_triangles_(c, t)])
+                        .store(1, std::memory_order_relaxed);
                 }
             }
         }
     });
-    const auto corner = [&](int c, int t) { return vertices.col(first_[welded_triangles_(c, t)]); };
-    parallel_for(drawn_count(), 4096, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-            const int w = welded_[source_[i]];
-            if (w < 0 || stale[static_cast<std::size_t>(w)] == 0) {
-                continue;
+    parallel_for(static_cast<int>(first_.size()), 4096, [&](int begin, int end) {
+        for (int w = begin; w < end; ++w) {
+            if (stale[w] != 0) {
+                turn_normal(layer, vertices, w);
             }
-            Vec3 sum = Vec3::Zero();
-            for (const int t : triangles_.at(w)) {
-                sum += (corner(1, t) - corner(0, t)).cross(corner(2, t) - corner(0, t));
-            }
-            const double length = sum.norm();
-            layer.normals.col(i) = length > 0.0 ? Eigen::Vector3f((sum / length).cast<float>())
-                                                : Eigen::Vector3f(0, 0, 1);
         }
     });
+}
+
+void SkinDrawing::turn_normal(SurfaceLayer& layer, const Points& vertices, int welded) const {
+    const auto corner = [&](int c, int t) { return vertices.col(first_[welded_triangles_(c, t)]); };
+    Vec3 sum = Vec3::Zero();
+    for (const int t : triangles_.at(welded)) {
+        sum += (corner(1, t) - corner(0, t)).cross(corner(2, t) - corner(0, t));
+    }
+    const double length = sum.norm();
+    const Eigen::Vector3f normal = length > 0.0 ? Eigen::Vector3f((sum / length).cast<float>())
+                                                : Eigen::Vector3f(0, 0, 1);
+    for (int d = drawn_start_[welded]; d < drawn_start_[welded + 1]; ++d) {
+        layer.normals.col(drawn_of_[d]) = normal;
+    }
 }
 
 Eigen::VectorXf fold_depth(const TriangleMesh& mesh) {

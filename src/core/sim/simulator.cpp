@@ -298,16 +298,10 @@ void Simulator::fill_motion(StepReport& report) const {
 
 Points scan_positions(const FaceModel& face, const Points& node_positions, double jaw) {
     Points result = follow(face.skin, *face.adjacency, face.scan->mesh.vertices, node_positions);
-    turn_with_jaw(face, jaw, result);
-    return result;
-}
-
-void turn_with_jaw(const FaceModel& face, double jaw, Points& vertices) {
-    if (jaw > 0.0) {
-        for (const int v : face.jaw_vertices) {
-            vertices.col(v) = opened(face.jaw, jaw, vertices.col(v));
-        }
+    for (const int v : jaw > 0.0 ? face.jaw_vertices : std::vector<int>()) {
+        result.col(v) = opened(face.jaw, jaw, result.col(v));
     }
+    return result;
 }
 
 void write_face(const std::filesystem::path& file, const Scan& as_came, const FaceModel& face,
