@@ -43,7 +43,7 @@ public:
     FollowingScan(const SimulatedSkin& skin, const Adjacency& adjacency, const Points& scan,
                   const Eigen::Matrix3Xf& normals);
 
-    /// As follow(), to within a few thousandths of a millimetre.
+    /// As follow(), to within about a hundredth of a millimetre.
     const Points& follow(const Points& nodes);
     /// Of a scan that is finer than its nodes: normals turned by the affine motion of the nodes,
     /// which spares a walk over all triangles; else 3×0.

@@ -122,7 +122,7 @@ FollowingScan::FollowingScan(const SimulatedSkin& skin, const Adjacency& adjacen
       touched_(static_cast<std::size_t>(scan.cols()), 0) {}
 
 const Points& FollowingScan::follow(const Points& nodes) {
-    constexpr double kUnseen = 4e-3;  // [mm]
+    constexpr double kUnseen = 0.01;  // [mm]
     const auto n = static_cast<int>(nodes_.cols());
     moved_.assign(static_cast<std::size_t>(n), 0);
     parallel_for(n, 2048, [&](int begin, int end) {

@@ -253,7 +253,7 @@ double EquilibriumSolver::Level::correct_far(const Relaxation::Hands& hands, con
     transfer->restrict_forces(forces, gathered);
     // What is loaded there is balanced by what acts there already.
     std::copy_n(own_loads.data(), own_loads.size(), coarse_packed.loads.data());
-    coarse_packed.forces(coarse_records, coarse_forces);
+    coarse_packed.forces(coarse_records, coarse_forces, false);
     coarse_packed.loaded = true;
     for (std::size_t s = 0; s < gathered.size(); ++s) {
         for (int axis = 0; axis < 3; ++axis) {

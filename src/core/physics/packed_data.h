@@ -57,8 +57,9 @@ struct PackedModel::Data {
     /// Rest plus way, of nodes that are free.
     void take(const LargeArray<NodeRecord>& records, Points& positions) const;
     /// Forces without dampers. @return energy [µJ]
-    double forces(const LargeArray<NodeRecord>& records, LargeArray<VectorLanes>& out) const {
-        return forces_then(records, out, true, [](int, int) {});
+    double forces(const LargeArray<NodeRecord>& records, LargeArray<VectorLanes>& out,
+                  bool with_energy = true) const {
+        return forces_then(records, out, with_energy, [](int, int) {});
     }
     /// The same; `after(begin, end)` works on slices whose forces are still in the cache.
     /// @return energy where it is wanted

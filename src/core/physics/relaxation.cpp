@@ -233,9 +233,9 @@ void Relaxation::hold(const RowHandle& handle) {
     }
 }
 
-double Relaxation::free_forces(const LargeArray<NodeRecord>& records, const Hands& hands,
+void Relaxation::free_forces(const LargeArray<NodeRecord>& records, const Hands& hands,
                                LargeArray<VectorLanes>& out, std::vector<Vec3>* held) const {
-    const double energy = packed_.forces(records, out);
+    packed_.forces(records, out, false);
     for (const RowPull& pull : hands.pulls) {
         const Vec3 f = pull.hand->plane * pull_force(records, pull);
         for (std::size_t k = 0; k < pull.rows.size(); ++k) {
@@ -273,7 +273,6 @@ double Relaxation::free_forces(const LargeArray<NodeRecord>& records, const Hand
             set_row(out, r, Vec3::Zero());
         }
     }
-    return energy;
 }
 
 double Relaxation::largest_step() const {
@@ -315,7 +314,7 @@ RelaxReport Relaxation::run(const RelaxOptions& options, const Hands& hands, boo
             packed_.set_shift(drive, *layer);
         }
         const double before = energy;
-        const bool weighed = k % kLookEvery == 0;
+        const bool weighed = k == 0 || (!smoothing && k % kLookEvery == 0);
         const double now = advance(smoothing, weighed);
         energy = weighed ? now : energy;
         if (k == 0) {

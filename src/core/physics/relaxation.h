@@ -50,8 +50,7 @@ public:
                     const Drive& drive, Points* layer);
 
     /// What is out of balance at the records' state, without what handles take.
-    /// @return energy, hands left out [µJ]
-    double free_forces(const LargeArray<NodeRecord>& records, const Hands& hands,
+    void free_forces(const LargeArray<NodeRecord>& records, const Hands& hands,
                        LargeArray<VectorLanes>& out, std::vector<Vec3>* held) const;
 
     const LargeArray<ScalarLanes>& masses() const { return mass_; }

@@ -6,7 +6,7 @@
 namespace myoface {
 
 namespace {
-constexpr int kFewest = 6;
+constexpr int kFewest = 3;  // half a round: the next frame goes on with it
 constexpr int kMost = 400;
 constexpr double kTrust = 0.25;  // in the newest measurement, when it is faster than expected
 }  // namespace
