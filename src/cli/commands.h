@@ -14,5 +14,6 @@ void add_fit(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_render(CLI::App& app);
 void add_convert(CLI::App& app);
+void add_bench(CLI::App& app);
 
 }  // namespace myoface::cli

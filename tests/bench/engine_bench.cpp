@@ -25,8 +25,8 @@ namespace {
 using bench::milliseconds;
 using bench::quantile;
 
-constexpr double kFrame = 16.7;      // [ms]
-constexpr double kSceneMargin = 1.5; // [ms] of a frame left free
+constexpr double kFrame = 16.7;       // [ms]
+constexpr double kSceneMargin = 1.5;  // [ms] of a frame left free
 
 GenericFace head(int vertices) {
     GenericFaceOptions options;
@@ -156,14 +156,13 @@ void cold_pull_beside_explicit(benchmark::State& state) {
     std::unique_ptr<CoarseLevel> coarser;
     const double set_up = milliseconds([&] {
         levels_of_face = coarser_levels(*face);
-        coarser =
-            std::make_unique<CoarseLevel>(levels_of_face, system, face->skin.mesh.vertices,
-                                          TissueConstants{});
+        coarser = std::make_unique<CoarseLevel>(levels_of_face, system, face->skin.mesh.vertices,
+                                                TissueConstants{});
         EquilibriumSolver(system.model, coarser.get());
     });
     const CheekPull pull(*face);
-    const StressKernel kernel = stress_kernel(*face, face->skin.mesh.vertices,
-                                              grip_at(*face, pull.request.where), 5.0);
+    const StressKernel kernel =
+        stress_kernel(*face, face->skin.mesh.vertices, grip_at(*face, pull.request.where), 5.0);
     Handle handle{kernel.nodes, kernel.weights, view_plane(-Vec3::UnitZ()), {}};
     Vec3 centre = Vec3::Zero();
     for (std::size_t k = 0; k < kernel.nodes.size(); ++k) {
@@ -188,7 +187,8 @@ void cold_pull_beside_explicit(benchmark::State& state) {
         MassSpringState settled = begun;
         RelaxOptions thorough;
         thorough.iterations = 8000;
-        EquilibriumSolver(system.model, coarser.get()).relax(settled, drive, thorough, {&handle, 1});
+        EquilibriumSolver(system.model, coarser.get())
+            .relax(settled, drive, thorough, {&handle, 1});
         const double least = packed.energy(settled.positions);
         const double wanted = least + 0.01 * (packed.energy(begun.positions) - least);
         // Ours, in rounds of a few sweeps.
@@ -252,8 +252,8 @@ BENCHMARK(cold_pull_beside_explicit)
 /// fresh process each time, for the first face of a process pays for the average head.
 void open_to_interactive(benchmark::State& state) {
     const auto size = static_cast<int>(state.range(0));
-    const auto file = std::filesystem::temp_directory_path() /
-                      ("myoface_bench_" + std::to_string(size) + ".ply");
+    const auto file =
+        std::filesystem::temp_directory_path() / ("myoface_bench_" + std::to_string(size) + ".ply");
     const Scan scan = head(size).scan;
     write_mesh(file, scan, scan.mesh.vertices);
     const std::string again =

@@ -23,8 +23,7 @@ inline double quantile(std::vector<double> values, double share) {
 }
 
 /// Medians of actions that take turns, so that a noisy moment meets all of them.
-inline std::vector<double> in_turns(const std::vector<std::function<void()>>& actions,
-                                    int rounds) {
+inline std::vector<double> in_turns(const std::vector<std::function<void()>>& actions, int rounds) {
     std::vector<std::vector<double>> times(actions.size());
     for (int r = 0; r < rounds + 1; ++r) {
         for (std::size_t a = 0; a < actions.size(); ++a) {

@@ -11,11 +11,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "BulletSoftBody/btSoftBody.h"
-
 #include "myoface/base/parallel.h"
 #include "myoface/physics/packed_model.h"
 
+#include "BulletSoftBody/btSoftBody.h"
 #include "measure.h"
 #include "physics/packed_data.h"
 
@@ -27,12 +26,12 @@ namespace {
 
 using bench::in_turns;
 
-constexpr double kSize = 180.0;             // of the sheet [mm]
-constexpr double kEdge = 200.0;             // [mN/mm]
-constexpr double kOpposite = 60.0;          // [mN/mm]
-constexpr double kAnchor = 5.0;             // [mN/mm]
-constexpr double kArealMass = 1e-5;         // 10 kg/m² [kg/mm²]
-constexpr double kDampingShare = 0.2;       // of critical
+constexpr double kSize = 180.0;        // of the sheet [mm]
+constexpr double kEdge = 200.0;        // [mN/mm]
+constexpr double kOpposite = 60.0;     // [mN/mm]
+constexpr double kAnchor = 5.0;        // [mN/mm]
+constexpr double kArealMass = 1e-5;    // 10 kg/m² [kg/mm²]
+constexpr double kDampingShare = 0.2;  // of critical
 
 MassSpringModel sheet(int vertices) {
     const int n = static_cast<int>(std::sqrt(vertices));
@@ -109,8 +108,7 @@ public:
             Node& a = nodes_[s.a];
             Node& b = nodes_[s.b];
             const Vec3 r = a.x - b.x;
-            const Vec3 f =
-                s.stiffness * (1.0 - s.length / r.norm()) * r + s.damping * (a.v - b.v);
+            const Vec3 f = s.stiffness * (1.0 - s.length / r.norm()) * r + s.damping * (a.v - b.v);
             a.f -= f;
             b.f += f;
         }
@@ -202,10 +200,10 @@ void springs_beside_bullet_100k(benchmark::State& state) {
     PlainLoop plain(ours.model);
     constexpr int kTimes = 10;
     for (auto _ : state) {
-        const auto t = in_turns({ours.on(1, kTimes), ours.on(2, kTimes),
-                                 often([&] { bullet.pass(); }, kTimes),
-                                 often([&] { plain.pass(); }, kTimes)},
-                                15);
+        const auto t =
+            in_turns({ours.on(1, kTimes), ours.on(2, kTimes), often([&] { bullet.pass(); }, kTimes),
+                      often([&] { plain.pass(); }, kTimes)},
+                     15);
         const double ns = 1e6 / kTimes / ours.springs();
         state.counters["spring_100k_1t_ns"] = ns * t[0];
         state.counters["spring_100k_2t_ns"] = ns * t[1];
@@ -222,7 +220,8 @@ void springs_beside_memory_1m(benchmark::State& state) {
     Packed ours(1'000'000);
     PlainLoop plain(ours.model);
     for (auto _ : state) {
-        const auto t = in_turns({ours.on(1, 8), ours.on(2, 8), often([&] { plain.pass(); }, 2), often(triad, 4)}, 9);
+        const auto t = in_turns(
+            {ours.on(1, 8), ours.on(2, 8), often([&] { plain.pass(); }, 2), often(triad, 4)}, 9);
         set_thread_count(2);
         const double ns = 1e6 / 8 / ours.springs();
         state.counters["spring_1m_1t_ns"] = ns * t[0];

@@ -176,6 +176,15 @@ TEST(Fit, WritesCaseMusclesAndBone) {
         0);
 }
 
+TEST(Bench, TellsWhatTheMachineDoes) {
+    const auto run = cli("bench --json --vertices 3000");
+    ASSERT_EQ(run.code, 0);
+    const auto json = nlohmann::json::parse(run.out);
+    EXPECT_GT(json["springs"].get<int>(), 5000);
+    EXPECT_GT(json["springs_per_second"].get<double>(), 1e5);
+    EXPECT_GE(json["drag_frame_p99_ms"].get<double>(), json["drag_frame_median_ms"].get<double>());
+    EXPECT_EQ(cli("bench --vertices 5").code, 2);
+}
 TEST(Convert, KeepsEveryVertex) {
     const std::string ply = (face().folder / "t.ply").string();
     const std::string obj = (face().folder / "t.obj").string();

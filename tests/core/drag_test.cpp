@@ -245,6 +245,43 @@ TEST(ConstraintPriority, SpringsBackOnRelease) {
     EXPECT_EQ(sim.skin_rest(), sim.face().skin.mesh.vertices);
 }
 
+TEST(MousePriority, PullsNoSkinIntoBoneButLeavesAGap) {
+    // At the forehead's top, seen from the side, the hand goes straight into the skull.
+    Simulator sim(small_model());
+    const SurfacePoint where = at_point(sim.face(), Vec3(0, 75, 110));
+    const DragReport report =
+        drag(sim, where, DragMode::MousePriority, -Vec3::UnitX(), Vec3(0, -8, -14), 6);
+    EXPECT_GT(report.off_ray_mm, 2.0);
+    EXPECT_LT(report.force_mN, 1.1e5);
+    const Bvh bone(sim.face().bone);
+    const ClosestPoint found = bone.closest_point(sim.face().bone, report.reached);
+    const Vec3 start = position(sim.face().skin.mesh, where);
+    const Vec3 off = report.reached - position(sim.face().bone, found.where);
+    EXPECT_GT(off.dot(start -
+                      position(sim.face().bone, bone.closest_point(sim.face().bone, start).where)),
+              0.0);
+}
+
+TEST(MousePriority, KeepsNoShapeThatFoldsTheSkin) {
+    Simulator sim(small_model());
+    const SurfacePoint where = at_landmark(sim.face(), "ch_l");
+    DragRequest request;
+    request.where = where;
+    request.radius = 6.0;
+    const Vec3 start = position(sim.face().skin.mesh, where);
+    sim.begin_drag(request, {start, -Vec3::UnitZ()});
+    for (int k = 1; k <= 10; ++k) {
+        sim.move_drag({start + Vec3(-4.5 * k, 0, 0), -Vec3::UnitZ()});
+        sim.step(12);
+    }
+    const Points before = sim.face().skin.mesh.vertices;
+    ASSERT_GT(turned_over(sim.face(), before, sim.state().positions), 0);
+    const DragReport report = sim.end_drag(true);
+    EXPECT_LT(report.kept_share, 1.0);
+    EXPECT_GT(report.kept_share, 0.0);
+    EXPECT_EQ(turned_over(sim.face(), before, sim.skin_rest()), 0);
+}
+
 TEST(Drag, OfWhatDoesNotMoveIsRefused) {
     Simulator sim(small_model());
     DragRequest request;

@@ -4,6 +4,7 @@
 
 #include "myoface/base/error.h"
 #include "myoface/face/face_model.h"
+#include "myoface/mesh/normals.h"
 #include "myoface/sim/simulator.h"
 #include "myoface/sim/snapshot.h"
 
@@ -37,6 +38,47 @@ TEST(SimulatedSkin, IsCoarserThanAFineScan) {
     EXPECT_FALSE(test::small_model()->skin.coarse());
     EXPECT_EQ(face->scan->mesh.vertices, test::small_face().scan.mesh.vertices);
     EXPECT_GT(face->lip_contacts.size(), 5U);
+}
+
+TEST(FollowingScan, IsWhereTheScanFollowsToFrameAfterFrame) {
+    for (const auto& face : {coarser_model(), test::small_model()}) {
+        const Points& scan = face->scan->mesh.vertices;
+        const Adjacency adjacency(face->scan->mesh);
+        const Points normals = vertex_normals(face->scan->mesh, adjacency);
+        FollowingScan following(face->skin, *face->adjacency, scan, normals.cast<float>());
+        for (const double size : {0.0, 0.4, 0.9, 0.2, 0.0}) {
+            // A bulge at one cheek; the rest of the face stays.
+            const Points nodes = moved_nodes(*face, [&](const Vec3& p) {
+                const double away = (p - Vec3(45, -40, 70)).squaredNorm() / 300.0;
+                return Vec3(p + 8.0 * size * std::exp(-away) * Vec3(0.6, 0.2, 0.7));
+            });
+            const Points expected = follow(face->skin, *face->adjacency, scan, nodes);
+            const Points& followed = following.follow(nodes);
+            EXPECT_LT((followed - expected).cwiseAbs().maxCoeff(), 0.04);
+            int untouched = 0;
+            for (const char touched : following.touched()) {
+                untouched += touched == 0;
+            }
+            EXPECT_GT(untouched, scan.cols() / 2);
+            if (!face->skin.coarse()) {
+                EXPECT_EQ(following.normals().cols(), 0);
+                continue;
+            }
+            const Points turned = vertex_normals({expected, face->scan->mesh.triangles}, adjacency);
+            double worst = 0.0;
+            for (Eigen::Index v = 0; v < scan.cols(); ++v) {
+                const Vec3 now = following.normals().col(v).cast<double>();
+                const Vec3 before = normals.col(v);
+                if ((followed.col(v) - scan.col(v)).norm() > 0.5) {
+                    // As far off as the turn of the surface within the reach of a node.
+                    worst = std::max(worst, (now - turned.col(v)).norm());
+                } else if (followed.col(v) == scan.col(v)) {
+                    EXPECT_LT((now - before).norm(), 0.05);
+                }
+            }
+            EXPECT_LT(worst, 0.5);
+        }
+    }
 }
 
 TEST(SimulatedSkin, LeavesTheScanExactlyWhereItIsAtRest) {

@@ -33,6 +33,7 @@ struct DragReport {
     double stage_skin_mN = 0.0;        ///< consumed by the skin
     double stage_muscle_mN = 0.0;      ///< consumed by the muscle layer
     double refused_mN = 0.0;           ///< held back
+    double kept_share = 1.0;           ///< of a shape that was to stay; less where skin would fold
     double strain_share = 0.0;         ///< largest strain near the grip, of its region's limit
 };
 
@@ -46,7 +47,9 @@ struct DragReport {
 Vec3 depth_correction(const MassSpringModel& model, const Points& positions, int node,
                       const Vec3& view, double gain = 1.0);
 
-/// One hand on the skin, in either mode, from grip to release. Works on a state that somebody else
+/// One hand on the skin, in either mode, from grip to release. In mouse priority the point follows
+/// the ray as long as a hand of 100 N can hold it there; what bone or tissue refuses beyond that is
+/// left as a gap, in `off_ray_mm`. Works on a state that somebody else
 /// owns; update() may be called many times a second with a small budget, or once to the end.
 class SkinDrag {
 public:
@@ -77,9 +80,11 @@ private:
         ViewRay ray;
         Vec3 start = Vec3::Zero();
         Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< of the handle, in the view plane
-        Vec3 force = Vec3::Zero();                         ///< of the hand, last seen
-        Vec3 skin_force = Vec3::Zero();                    ///< of stage 1, kept during stage 2
-        std::vector<int> near_springs;  ///< within two radii: where strain is watched
+        /// What a hand that would have to pull harder than its bound stays behind by, in the plane.
+        Eigen::Vector2d behind = Eigen::Vector2d::Zero();
+        Vec3 force = Vec3::Zero();       ///< of the hand, last seen
+        Vec3 skin_force = Vec3::Zero();  ///< of stage 1, kept during stage 2
+        std::vector<int> near_springs;   ///< within two radii: where strain is watched
     };
 
     Hand make_hand(const SurfacePoint& where, const ViewRay& ray) const;
@@ -90,6 +95,9 @@ private:
     Drive with_first_stage(const Drive& drive) const;
     double step_towards_ray(MassSpringState& state);
     double correct_targets(const Points& positions);
+    static Eigen::Vector2d way_to_goal(const Hand& hand, const Vec3& at);
+    bool yield_to_force(bool may_follow);
+    double furthest_from_goal(const Points& positions) const;
     double strain_share(const Points& positions) const;
     RelaxReport pull(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
                      int iterations);

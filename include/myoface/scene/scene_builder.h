@@ -41,8 +41,8 @@ private:
     std::vector<std::uint32_t> indices_;
     std::vector<int> welded_;  ///< scan vertex -> welded vertex, -1 unused
     Triangles welded_triangles_;
-    std::vector<int> first_;     ///< welded vertex -> a scan vertex
-    VertexTriangles triangles_;  ///< at welded vertices
+    std::vector<int> first_;                   ///< welded vertex -> a scan vertex
+    VertexTriangles triangles_;                ///< at welded vertices
     std::vector<int> drawn_start_, drawn_of_;  ///< per welded vertex: drawn vertices
 };
 

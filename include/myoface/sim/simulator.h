@@ -35,6 +35,10 @@ struct StepReport {
     std::optional<DragReport> drag;
 };
 
+/// Triangles of the visible skin that face the other way than before: skin folded over itself.
+/// @param before, after 3×nodes, the skin's first [mm]
+int turned_over(const FaceModel& face, const Points& before, const Points& after);
+
 /// One face in motion, headless. Not thread-safe: one thread owns it.
 class Simulator {
 public:
@@ -62,8 +66,8 @@ public:
     /// Starts a gesture. @throws InvalidInput when the point does not move
     void begin_drag(const DragRequest& request, const ViewRay& ray);
     void move_drag(const ViewRay& ray);
-    /// Ends it: in mouse priority the shape stays when `keep` is set; constraint priority springs
-    /// back. @return the report of the gesture
+    /// Ends it: in mouse priority the shape stays when `keep` is set, as far as it folds no skin
+    /// over itself; constraint priority springs back. @return the report of the gesture
     DragReport end_drag(bool keep);
     bool dragging() const { return drag_ != nullptr; }
     /// The stress kernel of the hand, while dragging.

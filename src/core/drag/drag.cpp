@@ -13,6 +13,7 @@ namespace {
 constexpr double kLongestJump = 3.0;       // of the kernel in one update [mm]
 constexpr double kHandStiffness = 1000.0;  // [mN/mm]
 constexpr double kLargestForce = 6000.0;   // [mN]
+constexpr double kMostHold = 100'000.0;    // in mouse priority [mN]: no skin is pulled into bone
 constexpr double kSecondStageLimit = 1.3;  // strain allowed in stage 2, of the region's limit
 constexpr double kLayerOtherLabel = 3.0;
 constexpr double kJudgingRadius = 12.0;  // [mm]
@@ -168,12 +169,44 @@ std::vector<HandPull> SkinDrag::pulls() const {
     return result;
 }
 
+Eigen::Vector2d SkinDrag::way_to_goal(const Hand& hand, const Vec3& at) {
+    return in_plane(hand.ray, hand.ray.origin) - in_plane(hand.ray, at) - hand.behind;
+}
+
+double SkinDrag::furthest_from_goal(const Points& positions) const {
+    double worst = 0.0;
+    for (const Hand& hand : hands_) {
+        worst = std::max(worst, way_to_goal(hand, grip_position(hand.grip, positions)).norm());
+    }
+    return worst;
+}
+
+/// Lets go of as much of the way as the force is too large by. @return whether a goal has moved
+bool SkinDrag::yield_to_force(bool may_follow) {
+    constexpr double kQuickest = 0.6;
+    constexpr double kSlack = 1.02;
+    bool moved = false;
+    for (Hand& hand : hands_) {
+        const double force = hand.force.norm();
+        const Eigen::Vector2d whole = way_to_goal(hand, hand.start);
+        if (force > kSlack * kMostHold) {
+            hand.behind += std::min(kQuickest, 1.0 - kMostHold / force) * whole;
+            moved = true;
+        } else if (may_follow && force < 0.9 * kMostHold &&
+                   hand.behind != Eigen::Vector2d::Zero()) {
+            hand.behind *= hand.behind.norm() > 0.01 ? 0.9 : 0.0;
+            moved = true;
+        }
+    }
+    return moved;
+}
+
 double SkinDrag::step_towards_ray(MassSpringState& state) {
     double left = 0.0;
     for (Hand& hand : hands_) {
         const auto plane = view_plane(hand.ray.direction);
         const Vec3 at = grip_position(hand.grip, state.positions);
-        Eigen::Vector2d way = plane.transpose() * (hand.ray.origin - at);
+        Eigen::Vector2d way = way_to_goal(hand, at);
         const double distance = way.norm();
         if (distance > kLongestJump) {
             way *= kLongestJump / distance;
@@ -203,7 +236,7 @@ double SkinDrag::correct_targets(const Points& positions) {
     double worst = 0.0;
     for (Hand& hand : hands_) {
         const Vec3 at = grip_position(hand.grip, positions);
-        const Eigen::Vector2d error = in_plane(hand.ray, hand.ray.origin) - in_plane(hand.ray, at);
+        const Eigen::Vector2d error = way_to_goal(hand, at);
         hand.target += 0.7 * error;
         worst = std::max(worst, error.norm());
     }
@@ -276,7 +309,8 @@ RelaxReport SkinDrag::update(EquilibriumSolver& solver, MassSpringState& state, 
         for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
             hands_[h].force = solver.hand_forces()[h];
         }
-        report.converged = report.converged && left == 0.0;
+        const bool yields = yield_to_force(true);
+        report.converged = report.converged && left == 0.0 && !yields;
         return report;
     }
     RelaxReport report = pull(solver, state, drive, iterations);
@@ -360,12 +394,11 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state,
         if (!report.finite) {
             break;
         }
+        if (yield_to_force(false)) {
+            continue;
+        }
         if (left == 0.0) {
-            double worst = 0.0;
-            for (const Hand& hand : hands_) {
-                worst = std::max(
-                    worst, distance_to_ray(hand.ray, grip_position(hand.grip, state.positions)));
-            }
+            double worst = furthest_from_goal(state.positions);
             if (worst < kOnRay && report.converged) {
                 break;
             }
@@ -374,12 +407,7 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state,
                 correct_targets(state.positions);
                 report = solver.relax(state, drive, options, handles());
                 sweeps += report.iterations;
-                worst = 0.0;
-                for (const Hand& hand : hands_) {
-                    worst = std::max(
-                        worst,
-                        distance_to_ray(hand.ray, grip_position(hand.grip, state.positions)));
-                }
+                worst = furthest_from_goal(state.positions);
             }
             for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
                 hands_[h].force = solver.hand_forces()[h];

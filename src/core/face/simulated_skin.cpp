@@ -95,8 +95,7 @@ Points follow(const SimulatedSkin& skin, const Adjacency& adjacency, const Point
     std::vector<Mat3> motion(static_cast<std::size_t>(n));
     parallel_for(n, 512, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
-            motion[static_cast<std::size_t>(i)] =
-                affine_change(skin, adjacency, i, nodes, normals);
+            motion[static_cast<std::size_t>(i)] = affine_change(skin, adjacency, i, nodes, normals);
         }
     });
     parallel_for(count, 4096, [&](int begin, int end) {
@@ -136,8 +135,7 @@ const Points& FollowingScan::follow(const Points& nodes) {
     stale_ = moved_;
     if (skin_.coarse()) {
         // A vertex goes with the affine motion of its nodes, that with all of their neighbours.
-        const Points normals =
-            vertex_normals({nodes_, skin_.mesh.triangles}, adjacency_);
+        const Points normals = vertex_normals({nodes_, skin_.mesh.triangles}, adjacency_);
         parallel_for(n, 512, [&](int begin, int end) {
             for (int i = begin; i < end; ++i) {
                 bool stale = moved_[static_cast<std::size_t>(i)] != 0;

@@ -210,7 +210,7 @@ TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward) {
         const bool mouth = lips > 0.3 || lids > 0.3 || (y < -36.0 && x < 34.0);
         t.tissue = mouth ? Tissue::Mucosa : Tissue::Cartilage;
         t.strain_limit = 1e9;  // thin folds stretch further; no limit is known for them
-        if (mouth) {  // deep in the mouth it lies on gums and palate
+        if (mouth) {           // deep in the mouth it lies on gums and palate
             t.bone_tie *= mixed(1.0, 15.0, smooth_step(10.0, 22.0, -average_head()(p)));
         }
     } else if (t.region == Region::Ear) {

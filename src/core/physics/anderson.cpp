@@ -11,8 +11,8 @@ namespace myoface {
 namespace {
 
 constexpr int kPairs = 4;
-constexpr int kGrain = 64;          // slices
-constexpr double kSlack = 1e-6;     // of the largest pair: keeps like pairs from cancelling
+constexpr int kGrain = 64;            // slices
+constexpr double kSlack = 1e-6;       // of the largest pair: keeps like pairs from cancelling
 constexpr double kLargestMix = 30.0;  // a combination beyond this is noise
 
 double weighted_dot(const LargeArray<VectorLanes>& a, const LargeArray<VectorLanes>& b,

@@ -147,8 +147,8 @@ struct EquilibriumSolver::Level {
     LargeArray<NodeRecord> good;      ///< where the last round began
     double good_energy = 0.0;
     bool has_good = false;
-    int rounds = 0;  ///< since begin_rounds()
-    bool accelerates = false;     ///< the finest level only
+    int rounds = 0;            ///< since begin_rounds()
+    bool accelerates = false;  ///< the finest level only
     std::unique_ptr<Anderson> anderson;
     LargeArray<NodeRecord> unmixed;  ///< where the last round ended
     bool mixed = false;              ///< and acceleration went on from there
@@ -201,7 +201,8 @@ RelaxReport EquilibriumSolver::Level::relax_levels(const RelaxOptions& options,
                 steps = kMostSteps + 1;
                 continue;
             }
-            // Before the first round hands may not yet have what they want: its energy is no measure.
+            // Before the first round hands may not yet have what they want: its energy is no
+            // measure.
             good.swap(there);
             good_energy = energy;
             has_good = rounds++ > 0;

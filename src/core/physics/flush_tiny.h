@@ -17,7 +17,9 @@ public:
         constexpr unsigned kFlushOperands = 0x0040;
         _mm_setcsr(before_ | kFlushResults | kFlushOperands);
     }
-    ~FlushTiny() { _mm_setcsr(before_); }
+    ~FlushTiny() {
+        _mm_setcsr(before_);
+    }
 #else
     FlushTiny() = default;
 #endif

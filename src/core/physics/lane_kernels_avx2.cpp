@@ -135,8 +135,8 @@ const LaneKernels& native_kernels() {
 #else
 const LaneKernels& avx2_kernels() {
 #endif
-    static constexpr LaneKernels kKernels{"AVX2", forces, forces_and_energy, damped_forces, row_sums,
-                                           step};
+    static constexpr LaneKernels kKernels{"AVX2",        forces,   forces_and_energy,
+                                          damped_forces, row_sums, step};
     return kKernels;
 }
 

@@ -111,8 +111,8 @@ inline void prefetch(const float* records, const std::int32_t* rows) {
 namespace myoface {
 
 const LaneKernels& portable_kernels() {
-    static constexpr LaneKernels kKernels{"portable", forces, forces_and_energy, damped_forces, row_sums,
-                                           step};
+    static constexpr LaneKernels kKernels{"portable",    forces,   forces_and_energy,
+                                          damped_forces, row_sums, step};
     return kKernels;
 }
 

@@ -527,11 +527,12 @@ void PackedModel::repeat_pass(bool damped) {
 double PackedModel::bytes_of_pass(bool damped) const {
     const Data& d = *data_;
     const double ends = static_cast<double>(d.spring_start.back());
-    const double per_slice = kLanes * sizeof(NodeRecord) + sizeof(VectorLanes) + sizeof(TieLanes::anchor) +
-        (d.sliding ? sizeof(TieLanes) - sizeof(TieLanes::anchor) : 0) + 2 * sizeof(int) + (d.loaded ? sizeof(LoadLanes) : 0) +
-                             (d.targeted ? sizeof(TargetLanes) : 0) +
-                             (damped ? sizeof(VectorLanes) + sizeof(ScalarLanes) : 0) +
-                             (damped && !d.linear_rest.empty() ? sizeof(VectorLanes) : 0);
+    const double per_slice =
+        kLanes * sizeof(NodeRecord) + sizeof(VectorLanes) + sizeof(TieLanes::anchor) +
+        (d.sliding ? sizeof(TieLanes) - sizeof(TieLanes::anchor) : 0) + 2 * sizeof(int) +
+        (d.loaded ? sizeof(LoadLanes) : 0) + (d.targeted ? sizeof(TargetLanes) : 0) +
+        (damped ? sizeof(VectorLanes) + sizeof(ScalarLanes) : 0) +
+        (damped && !d.linear_rest.empty() ? sizeof(VectorLanes) : 0);
     return ends * (sizeof(SpringColumn) + (damped ? sizeof(ScalarLanes) : 0) +
                    (d.tissue ? sizeof(ScalarLanes) : 0)) +
            static_cast<double>(d.links.size()) * sizeof(LinkColumn) +

@@ -127,9 +127,10 @@ double Relaxation::advance(bool smoothing, bool with_energy) {
     work.to = next_.data();
     work.keep = static_cast<float>((2.0 - damping_) / (2.0 + damping_));
     work.push = static_cast<float>(2.0 / (2.0 + damping_));
-    const double energy = packed_.forces_then(records_, force_, with_energy, [&](int begin, int end) {
-        sums_[begin / kSliceGrain] = lane_kernels().step(work, begin, end);
-    });
+    const double energy =
+        packed_.forces_then(records_, force_, with_energy, [&](int begin, int end) {
+            sums_[begin / kSliceGrain] = lane_kernels().step(work, begin, end);
+        });
     StepSums total{};
     for (int chunk = 0; chunk * kSliceGrain < packed_.slices; ++chunk) {
         total.residual += sums_[chunk].residual;
@@ -234,7 +235,7 @@ void Relaxation::hold(const RowHandle& handle) {
 }
 
 void Relaxation::free_forces(const LargeArray<NodeRecord>& records, const Hands& hands,
-                               LargeArray<VectorLanes>& out, std::vector<Vec3>* held) const {
+                             LargeArray<VectorLanes>& out, std::vector<Vec3>* held) const {
     packed_.forces(records, out, false);
     for (const RowPull& pull : hands.pulls) {
         const Vec3 f = pull.hand->plane * pull_force(records, pull);
@@ -294,6 +295,7 @@ RelaxReport Relaxation::run(const RelaxOptions& options, const Hands& hands, boo
                             const Drive& drive, Points* layer) {
     if (!warm_ || (layer != nullptr && layer_velocity_.cols() == 0)) {
         cold_start(smoothing, layer != nullptr);
+        since_masses_ = kMassesEvery;
     }
     RelaxReport report;
     int still = 0;

@@ -51,7 +51,7 @@ public:
 
     /// What is out of balance at the records' state, without what handles take.
     void free_forces(const LargeArray<NodeRecord>& records, const Hands& hands,
-                       LargeArray<VectorLanes>& out, std::vector<Vec3>* held) const;
+                     LargeArray<VectorLanes>& out, std::vector<Vec3>* held) const;
 
     const LargeArray<ScalarLanes>& masses() const { return mass_; }
     const std::vector<Vec3>& hand_forces() const { return hand_forces_; }

@@ -138,8 +138,8 @@ void SkinDrawing::fill(SurfaceLayer& layer, const Scan& scan, const SkinTexture*
     move(layer, scan.mesh.vertices);
 }
 
-void SkinDrawing::move(SurfaceLayer& layer, const Points& vertices,
-                       const std::vector<char>& moved, const FloatPoints& normals) const {
+void SkinDrawing::move(SurfaceLayer& layer, const Points& vertices, const std::vector<char>& moved,
+                       const FloatPoints& normals) const {
     constexpr double kUnseen = 1e-4;  // [mm]
     const bool known = !moved.empty();
     if (known && normals.cols() > 0) {
@@ -193,8 +193,8 @@ void SkinDrawing::turn_normal(SurfaceLayer& layer, const Points& vertices, int w
         sum += (corner(1, t) - corner(0, t)).cross(corner(2, t) - corner(0, t));
     }
     const double length = sum.norm();
-    const Eigen::Vector3f normal = length > 0.0 ? Eigen::Vector3f((sum / length).cast<float>())
-                                                : Eigen::Vector3f(0, 0, 1);
+    const Eigen::Vector3f normal =
+        length > 0.0 ? Eigen::Vector3f((sum / length).cast<float>()) : Eigen::Vector3f(0, 0, 1);
     for (int d = drawn_start_[welded]; d < drawn_start_[welded + 1]; ++d) {
         layer.normals.col(drawn_of_[d]) = normal;
     }

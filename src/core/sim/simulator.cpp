@@ -39,6 +39,22 @@ std::string solver_name(SolverKind kind) {
     }
 }
 
+int turned_over(const FaceModel& face, const Points& before, const Points& after) {
+    const Triangles& triangles = face.skin.mesh.triangles;
+    const auto area = [&](const Points& at, Eigen::Index t) {
+        const Vec3 a = at.col(triangles(0, t));
+        return Vec3((at.col(triangles(1, t)) - a).cross(at.col(triangles(2, t)) - a));
+    };
+    int count = 0;
+    for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+        const bool visible = face.tissue[triangles(0, t)].tissue == Tissue::Skin &&
+                             face.tissue[triangles(1, t)].tissue == Tissue::Skin &&
+                             face.tissue[triangles(2, t)].tissue == Tissue::Skin;
+        count += visible && area(before, t).dot(area(after, t)) < 0.0;
+    }
+    return count;
+}
+
 Simulator::Simulator(std::shared_ptr<const FaceModel> face, const SimulatorOptions& options)
     : face_(std::move(face)),
       options_(options),
@@ -155,11 +171,19 @@ DragReport Simulator::end_drag(bool keep) {
     if (!drag_) {
         return {};
     }
-    const DragReport report = drag_->report(state_, drive_, true);
+    DragReport report = drag_->report(state_, drive_, true);
     if (keep && report.mode == DragMode::MousePriority) {
         const Points moved = state_.positions - before_drag_;
-        skin_rest_ += moved.leftCols(face_->node_count());
-        const Points shown = state_.positions;
+        // What would leave skin folded over itself is kept only in part.
+        constexpr double kLess = 0.1;
+        while (report.kept_share > 0.0 &&
+               turned_over(*face_, face_->skin.mesh.vertices,
+                           skin_rest_ + report.kept_share * moved.leftCols(face_->node_count())) >
+                   0) {
+            report.kept_share = std::max(0.0, report.kept_share - kLess);
+        }
+        skin_rest_ += report.kept_share * moved.leftCols(face_->node_count());
+        const Points shown = before_drag_ + report.kept_share * moved;
         rebuild();
         state_.positions = shown;
         // The chains follow the reshaped skin; what is left of their motion is contraction.
