@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Builds and runs the benchmarks: scripts/bench.sh [OUT.json] [--quick]
+# Builds and runs the benchmarks: scripts/bench.sh [OUT.json] [--quick]; MYOFACE_BENCH_SCAN=FILE: a live
+# drag on that scan too.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 out=${1:-bench.json}
@@ -14,4 +15,5 @@ fi
 "$here/build.sh" release -DMYOFACE_BUILD_BENCH=ON
 "$here/../build/release/bin/myoface-bench" --flat="$out" \
   --benchmark_min_time=$time_each --benchmark_repetitions=$repetitions
-echo "Medians and ratios: $out"
+python3 "$here/bench_table.py" "$out" "$here/../docs/dev/performance.md"
+echo "Medians and ratios: $out; table: docs/dev/performance.md"

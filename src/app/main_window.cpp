@@ -607,11 +607,15 @@ void MainWindow::showSnapshot() {
             scene.strokes.colours.colwise() = Eigen::Vector3f(1.0F, 0.72F, 0.25F);
             scene.strokes.indices = {0, 1};
         }
-        m_state->setText(drag.mode == DragMode::ConstraintPriority
-                             ? tr("pull %1 N · %2 mm behind the hand")
-                                   .arg(drag.force_mN / 1000.0, 0, 'f', 1)
-                                   .arg(drag.off_ray_mm, 0, 'f', 1)
-                             : tr("hold %1 N").arg(drag.force_mN / 1000.0, 0, 'f', 1));
+        const QString newtons = QString::number(drag.force_mN / 1000.0, 'f', 1);
+        const QString gap = QString::number(drag.off_ray_mm, 'f', 1);
+        if (drag.mode == DragMode::ConstraintPriority) {
+            m_state->setText(tr("pull %1 N · %2 mm behind the hand").arg(newtons, gap));
+        } else if (drag.off_ray_mm > 0.3) {
+            m_state->setText(tr("hold %1 N · bone holds back %2 mm").arg(newtons, gap));
+        } else {
+            m_state->setText(tr("hold %1 N").arg(newtons));
+        }
     } else {
         m_state->setText(tr("largest move %1 mm · %2")
                              .arg(snapshot->report.max_displacement_mm, 0, 'f', 1)
@@ -656,6 +660,12 @@ void MainWindow::showRefitted(FitJob& job) {
 }
 
 void MainWindow::dragFinished(const std::shared_ptr<const DragOutcome>& outcome) {
+    if (outcome->report.kept_share < 1.0) {
+        statusBar()->showMessage(
+            tr("The skin would have folded over itself: %1 % of the shape stay.")
+                .arg(100.0 * outcome->report.kept_share, 0, 'f', 0),
+            8000);
+    }
     if (outcome->before.cols() != outcome->after.cols() || outcome->before == outcome->after) {
         return;
     }

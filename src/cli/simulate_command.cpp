@@ -39,6 +39,7 @@ nlohmann::ordered_json drag_json(const FaceModel& face, const DragReport& drag) 
     json["stage_skin_mN"] = drag.stage_skin_mN;
     json["stage_muscle_mN"] = drag.stage_muscle_mN;
     json["refused_mN"] = drag.refused_mN;
+    json["kept_share"] = drag.kept_share;
     json["strain_share_of_limit"] = drag.strain_share;
     return json;
 }

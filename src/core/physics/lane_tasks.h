@@ -78,9 +78,11 @@ struct StepTask {
     const NodeRecord* from;
     NodeRecord* to;
     float keep, push;  ///< v' = keep v + push F/m
+    float longest;     ///< no node goes further in one step [mm]
 };
 struct StepSums {
     double residual, curvature, kinetic;
+    double wanted;  ///< the longest step squared, had it been taken [mm²]
 };
 
 /// The kernels of one instruction set. Slices [begin, end).

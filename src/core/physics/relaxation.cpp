@@ -12,9 +12,10 @@ namespace myoface {
 namespace {
 
 constexpr int kColdIterations = 20;
-constexpr int kLookEvery = 5;              // iterations between looks at convergence
-constexpr double kMassSafety = 1.15;       // over Gershgorin's bound for a unit step
-constexpr double kRunaway = 200.0;         // no tissue moves that far [mm]
+constexpr int kLookEvery = 5;         // iterations between looks at convergence
+constexpr double kMassSafety = 1.15;  // over Gershgorin's bound for a unit step
+constexpr double kRunaway = 200.0;    // no tissue moves that far [mm]
+constexpr double kLongestStep = 5.0;  // [mm] springs far beyond their limit grow too stiff at once
 constexpr double kSmoothingDamping = 1.0;  // critical for a tenth of the stiffest
 constexpr double kRise = 1e-5;             // of the energy: rounding
 constexpr int kLayerGrain = 384;
@@ -127,6 +128,7 @@ double Relaxation::advance(bool smoothing, bool with_energy) {
     work.to = next_.data();
     work.keep = static_cast<float>((2.0 - damping_) / (2.0 + damping_));
     work.push = static_cast<float>(2.0 / (2.0 + damping_));
+    work.longest = static_cast<float>(kLongestStep);
     const double energy =
         packed_.forces_then(records_, force_, with_energy, [&](int begin, int end) {
             sums_[begin / kSliceGrain] = lane_kernels().step(work, begin, end);
@@ -136,7 +138,9 @@ double Relaxation::advance(bool smoothing, bool with_energy) {
         total.residual += sums_[chunk].residual;
         total.curvature += sums_[chunk].curvature;
         total.kinetic += sums_[chunk].kinetic;
+        total.wanted = sums_[chunk].wanted <= total.wanted ? total.wanted : sums_[chunk].wanted;
     }
+    wanted_step_ = std::sqrt(total.wanted);
     residual_ = total.residual;
     step_damping_ = damping_;
     total.curvature += layer_sums_.curvature;
@@ -353,7 +357,7 @@ RelaxReport Relaxation::run(const RelaxOptions& options, const Hands& hands, boo
         if (!look) {
             continue;
         }
-        if (!(report.last_step < kRunaway)) {
+        if (!(report.last_step < kRunaway) || !(wanted_step_ < kRunaway)) {
             report.finite = false;
             restart();
             break;

@@ -83,6 +83,7 @@ private:
     double damping_ = 0.1;
     double step_damping_ = 0.1;  ///< of the step just taken
     double residual_ = 0.0;
+    double wanted_step_ = 0.0;  ///< longest one, had it been taken [mm]
     double first_energy_ = 0.0;
     bool warm_ = false;
     int since_cold_ = 0, since_masses_ = 0;  ///< iterations
