@@ -77,9 +77,6 @@ public:
     /// Force of each handle, or else of each pull, in the last iteration [mN].
     const std::vector<Vec3>& hand_forces() const;
 
-    /// Energy at the start of the last relax(), hands left out [µJ].
-    double energy() const;
-
 private:
     struct Level;
     std::unique_ptr<Level> level_;

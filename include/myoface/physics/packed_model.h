@@ -35,7 +35,6 @@ public:
     double bytes_of_pass(bool damped) const;
 
     struct Data;  ///< what the solver works on: packed_data.h
-    Data& data() { return *data_; }
 
 private:
     std::unique_ptr<Data> data_;

@@ -326,10 +326,6 @@ const std::vector<Vec3>& EquilibriumSolver::hand_forces() const {
     return level_->relaxation.hand_forces();
 }
 
-double EquilibriumSolver::energy() const {
-    return level_->relaxation.first_energy();
-}
-
 RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
                                      const RelaxOptions& options, std::span<const Handle> handles,
                                      std::span<const HandPull> pulls) {

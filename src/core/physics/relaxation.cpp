@@ -50,7 +50,7 @@ Relaxation::Relaxation(const MassSpringModel& model)
 
 void Relaxation::set_drive(const Drive& drive) {
     packed_.set_drive(drive);
-    stiffness_changed();
+    since_masses_ = kMassesEvery;  // fitted to the stiffness anew
 }
 
 void Relaxation::cold_start(bool smoothing, bool layer) {

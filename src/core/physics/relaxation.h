@@ -36,8 +36,6 @@ public:
     LargeArray<NodeRecord>& records() { return records_; }
 
     void set_drive(const Drive& drive);
-    /// Targets or loads in packed() were changed by hand.
-    void stiffness_changed() { since_masses_ = kMassesEvery; }
     void restart() { warm_ = false; }
 
     struct Hands {

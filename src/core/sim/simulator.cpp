@@ -176,10 +176,12 @@ DragReport Simulator::end_drag(bool keep) {
         const Points moved = state_.positions - before_drag_;
         // What would leave skin folded over itself is kept only in part.
         constexpr double kLess = 0.1;
+        const Points& scan = face_->skin.mesh.vertices;
+        const int already = turned_over(*face_, scan, skin_rest_);
         while (report.kept_share > 0.0 &&
-               turned_over(*face_, face_->skin.mesh.vertices,
+               turned_over(*face_, scan,
                            skin_rest_ + report.kept_share * moved.leftCols(face_->node_count())) >
-                   0) {
+                   already) {
             report.kept_share = std::max(0.0, report.kept_share - kLess);
         }
         skin_rest_ += report.kept_share * moved.leftCols(face_->node_count());
