@@ -12,6 +12,7 @@
 #include "myoface/face/landmarks.h"
 #include "myoface/face/midplane.h"
 #include "myoface/face/muscle_atlas.h"
+#include "myoface/face/obstacle.h"
 #include "myoface/face/simulated_skin.h"
 #include "myoface/face/smooth_warp.h"
 #include "myoface/face/tissue.h"
@@ -89,6 +90,8 @@ struct FaceModel {
     TriangleMesh bone;                ///< skull and mandible with their teeth
     std::vector<BonePart> bone_part;  ///< per bone vertex
     JawHinge jaw;
+    std::vector<Obstacle> obstacles;    ///< what skin cannot enter
+    Eigen::VectorXd obstacle_distance;  ///< per skin node: of the nearest one, at rest [mm]
     MouthLining mouth;
     std::vector<std::pair<int, int>> lip_contacts;  ///< upper and lower node that touch
     /// Per skin node: 1 upper lip, -1 lower lip, 0 elsewhere, or everywhere where lips are fused.

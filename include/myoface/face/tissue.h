@@ -74,6 +74,8 @@ struct LidPlace {
 LidPlace lid_place(const Vec3& p);
 /// Centre of the average head's eyeball, left.
 Vec3 generic_eye_centre();
+/// Radius of its eyeballs [mm].
+double generic_eye_radius();
 
 /// Does a surface point look into the head: mouth bag, nostril, eye socket?
 /// @param p generic coordinates [mm] @param normal outward normal in generic axes

@@ -26,6 +26,7 @@ struct TissueConstants {
     double tie_damping = 1.0;         ///< share of critical
     double passive_muscle = 0.12;     ///< stiffness of a muscle at rest, of that in action
     double lip_contact = 1000.0;      ///< [mN/mm]
+    double contact = 1000.0;          ///< of bone, teeth and eyeballs [kPa/mm]
 };
 
 /// Where one muscle's parts stand in the model.

@@ -3,6 +3,9 @@
 
 #include <vector>
 
+#include <Eigen/Geometry>
+
+#include "myoface/face/obstacle.h"
 #include "myoface/face/tissue.h"
 
 namespace myoface {
@@ -52,6 +55,14 @@ struct Contact {
     double gap = 0.0;             ///< at most 0: how far they overlap at rest [mm]
 };
 
+/// How a node keeps out of the obstacles: ½ k Σ_o min(0, φ_o(x) − margin_o)², φ_o the signed
+/// distance from obstacle o.
+struct Barriers {
+    std::vector<double> stiffness;  ///< k per node [mN/mm]; 0: nothing stops it
+    std::vector<double> clear;      ///< per node: a way from rest on which it meets none [mm]
+    Eigen::MatrixXd margin;  ///< obstacles × nodes [mm]; no larger than the distance at rest
+};
+
 /// Symmetric scalar matrix in compressed rows that acts alike on the three components of the
 /// displacement: hinge bending and muscle attachments. Zero at rest, linear.
 struct LinearStiffness {
@@ -76,6 +87,8 @@ struct MassSpringModel {
     std::vector<Stretch> stretch;  ///< per node
     std::vector<Tie> ties;         ///< per node
     std::vector<Contact> contacts;
+    std::vector<Obstacle> obstacles;
+    Barriers barriers;  ///< empty where there are no obstacles
     LinearStiffness linear;
     MuscleLayer layer;
     Vec3 rest_gravity = Vec3::Zero();  ///< gravity under which `rest` was scanned [mm/s²]
@@ -115,6 +128,7 @@ struct Drive {
     Points load;                           ///< 3×N outer force [mN], or 3×0
     Points layer_load;                     ///< 3×skin outer force on the muscle layer, or 3×0
     Vec3 gravity = Vec3::Zero();           ///< [mm/s²]
+    std::vector<Eigen::Isometry3d> obstacle_pose;  ///< per obstacle, or empty: where they rest
 };
 
 }  // namespace myoface

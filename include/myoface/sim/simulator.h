@@ -87,7 +87,7 @@ private:
     void rebuild();
     void refresh_drive();
     StepReport integrate(bool to_rest, int steps);
-    void snap_to_rest();
+    bool snap_to_rest();
     void fill_motion(StepReport& report) const;
 
     std::shared_ptr<const FaceModel> face_;

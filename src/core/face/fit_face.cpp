@@ -265,6 +265,8 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     label_skin(*face);
     report("Fitting the face", 0.85);
     place_skull(*face, onto_scan, options.tissue);
+    face->obstacles = obstacles_of(*face);
+    face->obstacle_distance = obstacle_distances(*face);
     if (!face->lip_contacts.empty() && !has_mouth_bag(face->scan->mesh, onto_scan)) {
         face->mouth = mouth_lining(onto_scan);
     }

@@ -176,6 +176,10 @@ Vec3 generic_eye_centre() {
     return average_head().eye_centre();
 }
 
+double generic_eye_radius() {
+    return HeadField::kEyeRadius;
+}
+
 TissueProperties tissue_at(const Vec3& p, double depth, bool faces_inward) {
     const double x = std::abs(p.x());
     const double y = p.y();

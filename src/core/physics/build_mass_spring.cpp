@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "myoface/base/parallel.h"
+
 namespace myoface {
 namespace {
 
@@ -15,8 +17,11 @@ constexpr double kChainAnchor = 20.0;      // of a chain's inner nodes [mN/mm]
 constexpr double kTensionSpan = 0.3;       // a chain's full tension is reached at this strain
 constexpr double kHardLimit = 2.5;         // of the strain at which a stress finds its limit
 constexpr double kNoStrainLimit = 1e6;
-constexpr double kStop = 0.7;         // of the tissue's depth: there the bone begins to stop
-constexpr double kMuscleArea = 12.0;  // cross-section [mm²]
+constexpr double kStop = 0.7;          // of the tissue's depth: there the bone begins to stop
+constexpr double kMuscleArea = 12.0;   // cross-section [mm²]
+constexpr double kMarginOfBone = 0.5;  // that skin keeps from bone, teeth and eyes [mm]
+constexpr double kNear = 2.0;          // of an obstacle: looked at closely [mm]
+constexpr int kGrain = 256;
 
 /// Collects a symmetric matrix entry by entry.
 class MatrixBuilder {
@@ -86,6 +91,7 @@ public:
             add_muscle(static_cast<int>(m), next);
         }
         add_contacts();
+        add_barriers();
         model.linear = matrix_.finish();
         index_rows(model);
         add_damping();
@@ -311,6 +317,43 @@ private:
                     {upper, lower, up, c_.lip_contact, std::min(gap, 0.0)});
             }
         }
+    }
+
+    /// Bone, teeth and eyeballs. What rests in them or touches them may stay as it is.
+    void add_barriers() {
+        MassSpringModel& model = out_.model;
+        if (face_.obstacles.empty()) {
+            return;
+        }
+        const int n = model.skin_nodes;
+        const auto count = static_cast<Eigen::Index>(face_.obstacles.size());
+        model.obstacles = face_.obstacles;
+        Barriers& barriers = model.barriers;
+        barriers.stiffness.assign(static_cast<std::size_t>(model.node_count()), 0.0);
+        barriers.clear.assign(static_cast<std::size_t>(model.node_count()), kMarginOfBone);
+        barriers.margin = Eigen::MatrixXd::Constant(count, model.node_count(), kMarginOfBone);
+        parallel_for(n, kGrain, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                // Linings of mouth and nose are thin folds, guessed where a scan has none: what
+                // lies on the wrong side of a bone there would stay caught.
+                if (face_.tissue[i].fixed || face_.tissue[i].tissue != Tissue::Skin) {
+                    continue;
+                }
+                barriers.stiffness[i] = c_.contact * std::max(face_.area[i], 1e-3);
+                double nearest = face_.obstacle_distance[i] -
+                                 (skin_.col(i) - face_.skin.mesh.vertices.col(i)).norm();
+                if (nearest < kNear) {
+                    nearest = kNear;
+                    for (Eigen::Index o = 0; o < count; ++o) {
+                        const double distance =
+                            distance_to(face_.obstacles[o], skin_.col(i)).distance;
+                        barriers.margin(o, i) = std::min(kMarginOfBone, distance);
+                        nearest = std::min(nearest, distance);
+                    }
+                }
+                barriers.clear[i] = std::max(0.0, nearest - kMarginOfBone);
+            }
+        });
     }
 
     void add_damping() {

@@ -141,6 +141,8 @@ std::shared_ptr<const CoarseFace> next_level(const FaceModel& face) {
     fewer->lip_side = picked(face.lip_side, coarse.fine);
     fewer->muscles = face.muscles;
     fewer->axes = face.axes;
+    fewer->obstacles = face.obstacles;
+    fewer->obstacle_distance = face.obstacle_distance(coarse.fine);
     for (const auto& [upper, lower] : contacts) {
         fewer->lip_contacts.emplace_back(coarse.between(0, upper), coarse.between(0, lower));
     }
@@ -180,6 +182,7 @@ Drive CoarseLevel::restricted(const Drive& drive) const {
     }
     Drive coarse;
     coarse.gravity = drive.gravity;
+    coarse.obstacle_pose = drive.obstacle_pose;
     if (drive.shift.cols() > 0) {
         coarse.shift = drive.shift(Eigen::all, nodes);
     }

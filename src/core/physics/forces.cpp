@@ -119,6 +119,10 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
         side -= side.dot(tie.normal) * tie.normal;
         const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
         energy += 0.5 * tie.tether * boost * side.squaredNorm();
+        for (int o = 0; o < barriers_of(model, i); ++o) {
+            const double in = std::min(0.0, barrier_at(model, drive, x.col(i), i, o).distance);
+            energy += 0.5 * model.barriers.stiffness[i] * in * in;
+        }
         energy -= model.mass[i] * (drive.gravity - model.rest_gravity).dot(u.col(i));
         if (drive.load.cols() > 0) {
             energy -= drive.load.col(i).dot(u.col(i));

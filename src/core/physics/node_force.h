@@ -50,6 +50,25 @@ inline Vec3 tied_way(const MassSpringModel& model, const Points& x, const Drive&
     return drive.carry.cols() > 0 ? Vec3(way - drive.carry.col(i)) : way;
 }
 
+/// What keeps a node out of an obstacle: how far it is in the way, and the slope there.
+inline DistanceField::Sample barrier_at(const MassSpringModel& model, const Drive& drive,
+                                        const Vec3& at, int i, int o) {
+    const auto obstacle = static_cast<std::size_t>(o);
+    const bool posed = !drive.obstacle_pose.empty() && model.obstacles[obstacle].with_jaw;
+    const Vec3 p = posed ? Vec3(drive.obstacle_pose[obstacle].inverse() * at) : at;
+    DistanceField::Sample sample = distance_to(model.obstacles[obstacle], p);
+    sample.distance -= model.barriers.margin(o, i);
+    if (posed) {
+        sample.slope = drive.obstacle_pose[obstacle].linear() * sample.slope;
+    }
+    return sample;
+}
+inline int barriers_of(const MassSpringModel& model, int i) {
+    return !model.barriers.stiffness.empty() && model.barriers.stiffness[i] > 0.0
+               ? static_cast<int>(model.obstacles.size())
+               : 0;
+}
+
 /// Elastic force on one node: everything but dampers. `x` are positions, `layer` may be 3×0.
 inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Points& layer,
                        const Drive& drive, int i) {
@@ -95,6 +114,12 @@ inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Poin
         const double gap = contact.normal.dot(x.col(contact.a) - x.col(contact.b)) - contact.gap;
         if (gap < 0.0) {
             force += (i == contact.a ? -1.0 : 1.0) * contact.stiffness * gap * contact.normal;
+        }
+    }
+    for (int o = 0; o < barriers_of(model, i); ++o) {
+        const DistanceField::Sample sample = barrier_at(model, drive, at, i, o);
+        if (sample.distance < 0.0) {
+            force -= model.barriers.stiffness[i] * sample.distance * sample.slope;
         }
     }
     force += model.mass[i] * (drive.gravity - model.rest_gravity);

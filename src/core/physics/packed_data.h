@@ -108,10 +108,18 @@ private:
     void fill_ties();
     double contact_forces(const LargeArray<NodeRecord>& records, bool in_motion, int begin_row,
                           int end_row, LargeArray<VectorLanes>& out) const;
+    double barrier_forces(const LargeArray<NodeRecord>& records, bool in_motion, int begin_row,
+                          int end_row, LargeArray<VectorLanes>& out) const;
+    /// Calls `met(row, stiffness, sample)` for rows that may have met an obstacle.
+    template <typename Met>
+    void each_barrier(const LargeArray<NodeRecord>& records, bool in_motion, int begin_row,
+                      int end_row, const Met& met) const;
 
     std::vector<std::pair<int, int>> spring_places_;  ///< column × 8 + lane, both ends
     std::vector<ContactEnd> contacts_;                ///< by row
     LargeArray<ScalarLanes> linear_ground_;           ///< Σ_j K_ij, where it is not 0
+    std::vector<float> clear_;                        ///< per row: Barriers::clear squared
+    std::vector<Eigen::Isometry3d> pose_, unposed_;   ///< of obstacles, and the way back
     bool factored_ = false;                           ///< springs are not as in the model
 };
 
@@ -131,7 +139,8 @@ double PackedModel::Data::forces_then(const LargeArray<NodeRecord>& records,
             kernels.forces(work, begin, end, out.data());
         }
         energies[begin / kSliceGrain] =
-            energy + contact_forces(records, false, begin * kLanes, end * kLanes, out);
+            energy + contact_forces(records, false, begin * kLanes, end * kLanes, out) +
+            barrier_forces(records, false, begin * kLanes, end * kLanes, out);
         after(begin, end);
     });
     return std::accumulate(energies.begin(), energies.end(), 0.0);

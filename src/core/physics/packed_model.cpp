@@ -20,6 +20,8 @@ constexpr int kPaddingColumns = 40;    // that prefetching may look at
 constexpr int kBeyondCache = 150'000;  // nodes
 constexpr double kNoLength = 1e-6;     // [mm]
 constexpr double kNothing = 1e-9;      // of a row's stiffness: rounding
+constexpr float kNoBarrier = 1e30F;
+constexpr double kNearBarrier = 0.5;  // [mm] it may be met in the next step
 
 std::atomic<const LaneKernels*> chosen_kernels{nullptr};
 
@@ -266,6 +268,16 @@ void PackedModel::Data::fill_ties() {
     }
     std::stable_sort(contacts_.begin(), contacts_.end(),
                      [](const ContactEnd& a, const ContactEnd& b) { return a.row < b.row; });
+    if (!model.barriers.stiffness.empty()) {
+        clear_.assign(static_cast<std::size_t>(slices) * kLanes, kNoBarrier);
+        for (int r = 0; r < nodes; ++r) {
+            const int i = node_of[r];
+            if (model.barriers.stiffness[i] > 0.0 && model.fixed[i] == 0) {
+                const double clear = model.barriers.clear[i];
+                clear_[r] = static_cast<float>(clear * clear);
+            }
+        }
+    }
 }
 
 void PackedModel::Data::set_drive(const Drive& drive) {
@@ -290,6 +302,11 @@ void PackedModel::Data::set_drive(const Drive& drive) {
         }
     }
     factored_ = factored;
+    pose_ = drive.obstacle_pose;
+    unposed_.clear();
+    for (const Eigen::Isometry3d& pose : pose_) {
+        unposed_.push_back(pose.inverse());
+    }
     const Vec3 gravity = drive.gravity - model.rest_gravity;
     targeted = drive.carry.cols() > 0 || drive.shift.cols() > 0 || drive.height.size() > 0;
     loaded = drive.load.cols() > 0 || gravity != Vec3::Zero() ||
@@ -421,6 +438,53 @@ double PackedModel::Data::contact_forces(const LargeArray<NodeRecord>& records, 
     return energy;
 }
 
+template <typename Met>
+void PackedModel::Data::each_barrier(const LargeArray<NodeRecord>& records, bool in_motion,
+                                     int begin_row, int end_row, const Met& met) const {
+    for (int r = begin_row; r < end_row && !clear_.empty(); ++r) {
+        if (!(clear_[r] < kNoBarrier)) {
+            continue;
+        }
+        const NodeRecord& record = records[r];
+        const Vec3 moved = Eigen::Map<const Eigen::Vector3f>(record.moved).cast<double>();
+        if (pose_.empty() && !in_motion && !(moved.squaredNorm() > clear_[r])) {
+            continue;
+        }
+        const int i = node_of[r];
+        const Vec3 place = Eigen::Map<const Eigen::Vector3f>(record.place).cast<double>();
+        const Vec3 at = in_motion ? place : Vec3(model.rest.col(i) + moved);
+        for (std::size_t o = 0; o < model.obstacles.size(); ++o) {
+            const bool posed = !pose_.empty() && model.obstacles[o].with_jaw;
+            const Vec3 p = posed ? Vec3(unposed_[o] * at) : at;
+            // On a way as short as that from its rest it meets nothing.
+            if (!((p - model.rest.col(i)).squaredNorm() > clear_[r])) {
+                continue;
+            }
+            DistanceField::Sample sample = distance_to(model.obstacles[o], p);
+            sample.distance -= model.barriers.margin(static_cast<Eigen::Index>(o), i);
+            if (posed) {
+                sample.slope = pose_[o].linear() * sample.slope;
+            }
+            met(r, model.barriers.stiffness[i], sample);
+        }
+    }
+}
+
+double PackedModel::Data::barrier_forces(const LargeArray<NodeRecord>& records, bool in_motion,
+                                         int begin_row, int end_row,
+                                         LargeArray<VectorLanes>& out) const {
+    double energy = 0.0;
+    each_barrier(records, in_motion, begin_row, end_row,
+                 [&](int row, double stiffness, const DistanceField::Sample& sample) {
+                     if (sample.distance < 0.0) {
+                         const Vec3 push = -stiffness * sample.distance * sample.slope;
+                         set_row(out, row, of_row(out, row) + push);
+                         energy += 0.5 * stiffness * sample.distance * sample.distance;
+                     }
+                 });
+    return energy;
+}
+
 void PackedModel::Data::row_sums(const LargeArray<NodeRecord>& records,
                                  LargeArray<ScalarLanes>& out) const {
     const ForceTask work = task(records);
@@ -430,6 +494,13 @@ void PackedModel::Data::row_sums(const LargeArray<NodeRecord>& records,
     for (const ContactEnd& contact : contacts_) {
         of_row(out, contact.row) += 2.0F * contact.stiffness;
     }
+    each_barrier(records, false, 0, slices * kLanes,
+                 [&](int row, double stiffness, const DistanceField::Sample& sample) {
+                     if (sample.distance < kNearBarrier) {
+                         of_row(out, row) +=
+                             static_cast<float>(stiffness * sample.slope.squaredNorm());
+                     }
+                 });
 }
 
 void PackedModel::Data::prepare_damping() {
@@ -474,6 +545,7 @@ void PackedModel::Data::damped_forces(const LargeArray<NodeRecord>& records,
         const FlushTiny flush;
         kernels.damped_forces(work, begin, end, out.data());
         contact_forces(records, true, begin * kLanes, end * kLanes, out);
+        barrier_forces(records, true, begin * kLanes, end * kLanes, out);
     });
 }
 

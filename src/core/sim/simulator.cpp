@@ -89,6 +89,7 @@ void Simulator::refresh_drive() {
     const Points before = std::move(drive_.carry);
     drive_ = contraction_drive(*system_, responses_, contractions_);
     drive_.gravity = kUprightGravity;
+    drive_.obstacle_pose = obstacle_poses(*face_, jaw_opening(*face_, contractions_));
     solver_->drive_changed();
     // What is carried starts from where it is carried to: relaxation has the rest to do only.
     constexpr double kJump = 0.5;  // [mm] that momentum does not survive
@@ -220,9 +221,7 @@ StepReport Simulator::step(int iterations) {
         report.residual = relaxed.residual;
         report.converged = relaxed.converged;
         report.finite = relaxed.finite;
-        if (report.converged) {
-            snap_to_rest();
-        }
+        report.converged = snap_to_rest() || report.converged;
     }
     report.solver = solver_name(options_.solver);
     fill_motion(report);
@@ -249,9 +248,7 @@ StepReport Simulator::settle() {
         report.residual = relaxed.residual;
         report.converged = relaxed.converged;
         report.finite = relaxed.finite;
-        if (report.converged) {
-            snap_to_rest();
-        }
+        report.converged = snap_to_rest() || report.converged;
     }
     report.solver = solver_name(options_.solver);
     fill_motion(report);
@@ -260,17 +257,19 @@ StepReport Simulator::settle() {
 }
 
 /// Where nothing acts, the rest is an equilibrium, known exactly: what has come close to it has
-/// arrived.
-void Simulator::snap_to_rest() {
+/// arrived. @return whether it has
+bool Simulator::snap_to_rest() {
     const auto nothing = [](double rate) { return rate == 0.0; };
     if (drag_ || !std::all_of(contractions_.rate.begin(), contractions_.rate.end(), nothing)) {
-        return;
+        return false;
     }
     const Points left = state_.positions - system_->model.rest;
     if (left.colwise().squaredNorm().maxCoeff() < kClose * kClose) {
         state_.positions = system_->model.rest;
         solver_->restart();
+        return true;
     }
+    return false;
 }
 
 StepReport Simulator::integrate(bool to_rest, int steps) {
