@@ -255,6 +255,21 @@ void MainWindow::buildActions() {
     orthographic->setShortcut(QKeySequence(tr("Ctrl+P")));
     connect(orthographic, &QAction::toggled, m_view, &FaceView::setOrthographic);
 
+    // Whether tissue swings is a matter of looking, not of the result.
+    QMenu* motion = view->addMenu(tr("&Motion of tissue"));
+    auto* paces = new QActionGroup(this);
+    for (const auto& [title, pace] : {std::pair(tr("Straight to &rest"), 0.0),
+                                      std::pair(tr("&Swings, as fast as in life"), 1.0),
+                                      std::pair(tr("Swings, &4 times slower"), 0.25),
+                                      std::pair(tr("Swings, &10 times slower"), 0.1)}) {
+        QAction* action = motion->addAction(title);
+        action->setCheckable(true);
+        action->setChecked(pace == 0.0);
+        paces->addAction(action);
+        connect(action, &QAction::triggered, this,
+                [this, p = pace] { inWorker([p](SimulationWorker& w) { w.setPace(p); }); });
+    }
+
     auto* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation_worker.h"
 
+#include <algorithm>
+
 #include "myoface/base/error.h"
 
 namespace myoface {
@@ -30,6 +32,7 @@ void SimulationWorker::guarded(const Action& action) {
 
 void SimulationWorker::setSimulator(std::unique_ptr<Simulator> simulator) {
     m_simulator = std::move(simulator);
+    setPace(m_pace);
     wake();
 }
 
@@ -69,6 +72,11 @@ void SimulationWorker::endDrag(bool keep) {
     });
 }
 
+void SimulationWorker::setPace(double pace) {
+    m_pace = pace;
+    guarded([&] { m_simulator->set_live(pace); });
+}
+
 void SimulationWorker::wake() {
     m_sinceChange = 0;
     if (!m_timer.isActive()) {
@@ -82,7 +90,9 @@ void SimulationWorker::work() {
         return;
     }
     try {
-        const bool waited = m_simulator->dragging() || m_sinceChange < kQuickFrames;
+        m_clock.start();
+        const bool waited =
+            m_simulator->live() || m_simulator->dragging() || m_sinceChange < kQuickFrames;
         ++m_sinceChange;
         const StepReport report =
             m_simulator->step(m_governor.sweeps(waited ? kFrameBudget : kSettleBudget));
@@ -91,6 +101,9 @@ void SimulationWorker::work() {
         if (report.converged) {
             m_timer.stop();
         }
+        // Time goes no faster than it should.
+        const double left = 1000.0 * kLiveFrame - static_cast<double>(m_clock.elapsed());
+        m_timer.setInterval(m_simulator->live() ? std::max(0, static_cast<int>(left)) : 0);
     } catch (const std::exception& error) {
         m_timer.stop();
         Q_EMIT failed(QString::fromUtf8(error.what()));

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -34,6 +35,8 @@ public:
     void beginDrag(const DragRequest& request, const ViewRay& ray);
     void moveDrag(const ViewRay& ray);
     void endDrag(bool keep);
+    /// @param pace of time, or 0: straight to rest
+    void setPace(double pace);
 
 Q_SIGNALS:
     void snapshotReady();
@@ -50,7 +53,9 @@ private:
     SnapshotBox& m_box;
     std::unique_ptr<Simulator> m_simulator;
     QTimer m_timer;
+    QElapsedTimer m_clock;
     FrameGovernor m_governor;
+    double m_pace = 0.0;
     int m_sinceChange = 0;  ///< frames
     std::uint64_t m_frame = 0;
 };

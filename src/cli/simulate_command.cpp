@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "myoface/base/error.h"
 #include "myoface/base/parallel.h"
 #include "myoface/sim/snapshot.h"
 
@@ -20,6 +21,7 @@ struct Arguments {
     EditArguments edits;
     std::string solver = "equilibrium";
     std::string output, report;
+    double seconds = 0.0;
     int threads = 0;
 };
 
@@ -82,6 +84,11 @@ void add_simulate(CLI::App& app) {
     a->edits.add_to(*command);
     command->add_option("--solver", a->solver, "equilibrium, symplectic or explicit")
         ->check(CLI::IsMember({"equilibrium", "symplectic", "explicit"}));
+    command
+        ->add_option("--seconds", a->seconds,
+                     "how the face is so long after the last edit, while tissue still swings; a "
+                     "last drag with mode=constraint is let go")
+        ->check(CLI::Range(0.01, 60.0));
     command->add_option("--threads", a->threads, "threads to use; the result does not depend on it")
         ->check(CLI::Range(1, 64));
     command->add_option("-o", a->output, "OUT.obj or OUT.ply")->required();
@@ -99,8 +106,12 @@ void add_simulate(CLI::App& app) {
                          : a->solver == "symplectic" ? SolverKind::SymplecticEuler
                                                      : SolverKind::Equilibrium;
         const auto simulator = make_simulator(opened, options);
-        const PlanReport report = run_plan(*simulator, plan);
-        if (!report.last.converged) {
+        if (a->seconds > 0.0 && options.solver != SolverKind::Equilibrium) {
+            throw InvalidInput("--seconds goes with --solver equilibrium only.");
+        }
+        const PlanReport report =
+            run_plan(*simulator, plan, a->seconds > 0.0 ? std::optional(a->seconds) : std::nullopt);
+        if (!report.last.converged && a->seconds == 0.0) {
             std::cerr << "Not at rest after " << report.last.iterations
                       << " steps; the report says how far.\n";
         }

@@ -79,23 +79,46 @@ TEST(VertexAreas, SumToTheSurface) {
 TEST(GeodesicDistances, AreExactAlongAStraightLineOfEdges) {
     const TriangleMesh mesh = grid(11, 2.0);
     const std::vector<GeodesicSource> from{{0, 0.0}};
-    const auto distance = geodesic_distances(mesh.vertices, Adjacency(mesh), from);
+    const auto distance = geodesic_distances(mesh, Adjacency(mesh), from);
     EXPECT_NEAR(distance[10], 20.0, 1e-12);
     EXPECT_NEAR(distance[120], 20.0 * std::numbers::sqrt2, 1e-9);  // along the diagonals
+}
+
+TEST(GeodesicDistances, HardlyDependOnTheTriangulation) {
+    // The diagonals of a grid all run the same way: along edges one diagonal would be 41 % longer.
+    const TriangleMesh flat = grid(41, 1.0);
+    const std::vector<GeodesicSource> middle{{20 * 41 + 20, 0.0}};
+    const auto distance = geodesic_distances(flat, Adjacency(flat), middle);
+    for (int v = 0; v < flat.vertex_count(); ++v) {
+        const double exact = (flat.vertices.col(v) - flat.vertices.col(20 * 41 + 20)).norm();
+        EXPECT_NEAR(distance[static_cast<std::size_t>(v)], exact, 1e-9 + 0.01 * exact);
+    }
+    const TriangleMesh ball = sphere(10.0, 40, 60);
+    Eigen::Index pole = 0;
+    ball.vertices.row(2).maxCoeff(&pole);
+    const std::vector<GeodesicSource> top{{static_cast<int>(pole), 0.0}};
+    const auto around = geodesic_distances(ball, Adjacency(ball), top);
+    for (int v = 0; v < ball.vertex_count(); ++v) {
+        const double exact =
+            10.0 * std::acos(std::clamp(
+                       ball.vertices.col(v).normalized().dot(ball.vertices.col(pole).normalized()),
+                       -1.0, 1.0));
+        EXPECT_NEAR(around[static_cast<std::size_t>(v)], exact, 0.01 * exact + 0.05);
+    }
 }
 
 TEST(GeodesicDistances, DoNotCrossAGap) {
     const TriangleMesh two = test::together(grid(3), grid(3));
     const std::vector<GeodesicSource> from{{0, 0.0}};
-    const auto distance = geodesic_distances(two.vertices, Adjacency(two), from);
+    const auto distance = geodesic_distances(two, Adjacency(two), from);
     EXPECT_TRUE(std::isinf(distance[9]));
 }
 
-TEST(GeodesicDistances, CountWeightedEdgesLonger) {
+TEST(GeodesicDistances, CountWeightedWaysLonger) {
     const TriangleMesh mesh = grid(3, 1.0);
     const std::vector<GeodesicSource> from{{0, 0.0}};
-    const auto distance = geodesic_distances(mesh.vertices, Adjacency(mesh), from, 100.0,
-                                             [](int, int) { return 2.5; });
+    const auto distance =
+        geodesic_distances(mesh, Adjacency(mesh), from, 100.0, [](int) { return 2.5; });
     EXPECT_NEAR(distance[2], 5.0, 1e-12);
 }
 

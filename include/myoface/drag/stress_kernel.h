@@ -26,10 +26,12 @@ struct StressKernel {
 /// Grip radius that suits a region and the depth to the bone [mm].
 double kernel_radius(const FaceModel& face, const Grip& grip);
 
-/// w_j = (1 − g²/R²)² A_j, normalised; g is the distance along the surface in which a link between
-/// equal labels counts its length and a link to another label counts more, so that a stress goes
-/// first along the same muscle. Nodes that do not move take no part.
-/// @param other_label how much longer a link to another label counts
+/// w_j = (1 − g²/R²)² A_j, normalised; g is the distance along the surface in which a way over
+/// skin with the grip's label counts its length and over another's counts more, so that a stress
+/// goes first along the same muscle. How much more follows how much of the muscles under the grip
+/// lies under a node: the answer does not depend on the triangles. Nodes that do not move take no
+/// part.
+/// @param other_label how much longer a way over another label counts
 StressKernel stress_kernel(const FaceModel& face, const Points& skin, const Grip& grip,
                            double radius, double other_label = 1.8);
 

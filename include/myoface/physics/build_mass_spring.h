@@ -20,7 +20,7 @@ struct TissueConstants {
     double cartilage_share = 2.0;     ///< anchor of ears and nostrils, of k_t
     double layer_modulus = 30.0;      ///< muscle layer [kPa] …
     double layer_thickness = 3.0;     ///< … and its thickness [mm]
-    double other_label = 0.15;        ///< stiffness of a link between different labels
+    double other_label = 0.15;        ///< of the muscle layer between one muscle and the next
     double density = 1.05e-6;         ///< [kg/mm³]
     double spring_damping = 0.2;      ///< share of critical
     double tie_damping = 1.0;         ///< share of critical

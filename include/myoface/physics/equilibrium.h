@@ -71,6 +71,9 @@ public:
     /// To be called whenever the drive is not that of the call before.
     void drive_changed();
 
+    /// To be called where only its loads or where inertia leads to are others.
+    void loads_changed();
+
     /// Forgets momentum: after a jump of the state or another model of the same size.
     void restart();
 
@@ -80,7 +83,7 @@ public:
 private:
     struct Level;
     std::unique_ptr<Level> level_;
-    bool drive_changed_ = true;
+    bool drive_changed_ = true, loads_changed_ = false;
     bool had_layer_ = false;
     std::vector<Eigen::Vector2d> targets_;  ///< of the handles in the last call
 };

@@ -126,8 +126,11 @@ struct Drive {
     std::vector<double> length_factor;     ///< per spring factor on L, or empty
     std::vector<double> stiffness_factor;  ///< per spring factor on k, or empty
     Points load;                           ///< 3×N outer force [mN], or 3×0
-    Points layer_load;                     ///< 3×skin outer force on the muscle layer, or 3×0
-    Vec3 gravity = Vec3::Zero();           ///< [mm/s²]
+    /// Of a step in time: ½ inertia |x − rest − ahead|², less what no motion changes.
+    Eigen::VectorXd inertia;      ///< N [mN/mm], or 0
+    Points ahead;                 ///< 3×N [mm], goes with inertia
+    Points layer_load;            ///< 3×skin outer force on the muscle layer, or 3×0
+    Vec3 gravity = Vec3::Zero();  ///< [mm/s²]
     std::vector<Eigen::Isometry3d> obstacle_pose;  ///< per obstacle, or empty: where they rest
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -60,7 +61,10 @@ struct PlanReport {
 
 /// Carries a plan out to rest. Of several drags each acts on what the one before left; the last one
 /// is still held when it is a constraint drag.
+/// @param seconds where given, a last constraint drag is let go, and then, or where muscles came
+///        last, so much time goes by instead of rest being waited for
 /// @throws InvalidInput naming the edit
-PlanReport run_plan(Simulator& simulator, const Plan& plan);
+PlanReport run_plan(Simulator& simulator, const Plan& plan,
+                    std::optional<double> seconds = std::nullopt);
 
 }  // namespace myoface

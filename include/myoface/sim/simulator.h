@@ -9,6 +9,7 @@
 
 #include "myoface/drag/drag.h"
 #include "myoface/muscle/contraction.h"
+#include "myoface/physics/implicit_motion.h"
 
 namespace myoface {
 
@@ -73,10 +74,18 @@ public:
     /// The stress kernel of the hand, while dragging.
     const StressKernel* drag_kernel() const;
 
+    /// Live: step() goes on by one frame in time, in which tissue swings and settles, instead of
+    /// going to rest as quickly as it can. Needs the equilibrium solver.
+    /// @param pace of time: 1 as it is, 0.1 ten times slower; 0, as at first: not live
+    void set_live(double pace);
+    bool live() const { return motion_ != nullptr; }
+
     /// A bounded piece of work towards rest, for one frame.
     StepReport step(int iterations);
     /// Until at rest.
     StepReport settle();
+    /// Lets so much time go by, as live motion. @param seconds > 0
+    StepReport live_on(double seconds);
 
     /// 3×N of the scan [mm]: exactly the scan where nothing moved.
     Points scan_vertices() const;
@@ -86,6 +95,9 @@ public:
 private:
     void rebuild();
     void refresh_drive();
+    RelaxReport relax(int iterations);
+    RelaxReport relax_in_time(int iterations);
+    void stop_motion();
     StepReport integrate(bool to_rest, int steps);
     bool snap_to_rest();
     void fill_motion(StepReport& report) const;
@@ -104,7 +116,13 @@ private:
     std::unique_ptr<SkinDrag> drag_;
     Points before_drag_;
     double time_step_ = 0.0;
+    std::unique_ptr<ImplicitMotion> motion_;  ///< null: not live
+    double pace_ = 0.0;
+    bool swings_ = false;  ///< else live tissue has calmed down
 };
+
+/// Time that one step() of live motion takes at pace 1 [s].
+inline constexpr double kLiveFrame = 1.0 / 60.0;
 
 /// Gravity on a patient who sits upright [mm/s²]; scans are taken so.
 inline const Vec3 kUprightGravity{0.0, -9810.0, 0.0};

@@ -70,6 +70,33 @@ double kernel_radius(const FaceModel& face, const Grip& grip) {
     return radius;
 }
 
+namespace {
+
+/// Shares of the muscles under a grip, and of no muscle at the end.
+std::vector<double> muscles_under(const FaceModel& face, const Grip& grip) {
+    std::vector<double> shares(face.muscles.size() + 1, 0.0);
+    for (std::size_t k = 0; k < grip.nodes.size(); ++k) {
+        const auto& under = face.muscles_under[static_cast<std::size_t>(grip.nodes[k])];
+        for (const MuscleWeight& entry : under) {
+            shares[static_cast<std::size_t>(entry.muscle)] += grip.weights[k] * entry.weight;
+        }
+        shares.back() += under.empty() ? grip.weights[k] : 0.0;
+    }
+    return shares;
+}
+
+/// 1 where the same muscles lie under a node as under the grip, 0 where none of them does.
+double in_common(const FaceModel& face, int node, const std::vector<double>& shares) {
+    const auto& under = face.muscles_under[static_cast<std::size_t>(node)];
+    double sum = under.empty() ? shares.back() : 0.0;
+    for (const MuscleWeight& entry : under) {
+        sum += std::min(entry.weight, shares[static_cast<std::size_t>(entry.muscle)]);
+    }
+    return sum;
+}
+
+}  // namespace
+
 StressKernel stress_kernel(const FaceModel& face, const Points& skin, const Grip& grip,
                            double radius, double other_label) {
     std::vector<GeodesicSource> sources;
@@ -77,12 +104,14 @@ StressKernel stress_kernel(const FaceModel& face, const Points& skin, const Grip
     for (const int node : grip.nodes) {
         sources.push_back({node, (skin.col(node) - centre).norm()});
     }
-    const auto weight = [&](int a, int b) {
-        return face.label[a].muscle == face.label[b].muscle ? 1.0 : other_label;
+    const std::vector<double> under = muscles_under(face, grip);
+    const auto weight = [&](int node) {
+        return 1.0 + (other_label - 1.0) * (1.0 - in_common(face, node, under));
     };
+    const TriangleMesh mesh{skin.leftCols(face.node_count()), face.skin.mesh.triangles};
     const std::vector<double> distance =
-        geodesic_distances(skin.leftCols(face.node_count()), *face.adjacency, sources, radius,
-                           other_label == 1.0 ? EdgeWeight{} : EdgeWeight(weight));
+        geodesic_distances(mesh, *face.adjacency, sources, radius,
+                           other_label == 1.0 ? WayWeight{} : WayWeight(weight));
     StressKernel kernel;
     kernel.radius = radius;
     double sum = 0.0;

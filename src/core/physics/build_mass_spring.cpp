@@ -138,6 +138,17 @@ private:
         }
     }
 
+    /// How firmly the muscle layer hangs together: least where as much of one muscle lies under
+    /// the skin as of the next, in a seam of some millimetres whatever the triangles.
+    void set_hold() {
+        hold_.assign(static_cast<std::size_t>(face_.node_count()), 1.0);
+        for (std::size_t i = 0; i < face_.muscles_under.size(); ++i) {
+            const auto& under = face_.muscles_under[i];
+            const double second = under.size() > 1 ? under[1].weight / under[0].weight : 0.0;
+            hold_[i] = 1.0 - (1.0 - c_.other_label) * second * second;
+        }
+    }
+
     void add_skin_springs() {
         const TriangleMesh mesh{skin_, face_.skin.mesh.triangles};
         std::vector<double> area(static_cast<std::size_t>(mesh.triangle_count()));
@@ -145,6 +156,7 @@ private:
             area[t] = 0.5 * double_area_vector(mesh, t).norm();
         }
         MatrixBuilder layer(face_.node_count());
+        set_hold();
         const double layer_stiffness = 0.866 * c_.layer_modulus * c_.layer_thickness;
         for (const MeshEdge& edge : face_.adjacency->edges()) {
             const auto [a, b] = edge.vertices;
@@ -163,8 +175,7 @@ private:
                 c_.skin_modulus * c_.skin_thickness * share * std::min(both / square, 4.0);
             spring.label = face_.label[a] == face_.label[b] ? face_.label[a] : TissueLabel{};
             out_.model.springs.push_back(spring);
-            const bool same = face_.label[a].muscle == face_.label[b].muscle;
-            layer.add_link(a, b, layer_stiffness * (same ? 1.0 : c_.other_label));
+            layer.add_link(a, b, layer_stiffness * std::sqrt(hold_[a] * hold_[b]));
             if (edge.triangle_count == 2) {
                 add_hinge(edge, both, share);
             }
@@ -373,6 +384,7 @@ private:
     const TissueConstants& c_;
     const Points& skin_;
     MatrixBuilder matrix_;
+    std::vector<double> hold_;  ///< of the muscle layer, per skin node
     FaceMassSpring out_;
 };
 

@@ -138,6 +138,7 @@ std::shared_ptr<const CoarseFace> next_level(const FaceModel& face) {
     fewer->tissue = picked(face.tissue, coarse.fine);
     fewer->sliding = picked(face.sliding, coarse.fine);
     fewer->label = picked(face.label, coarse.fine);
+    fewer->muscles_under = picked(face.muscles_under, coarse.fine);
     fewer->lip_side = picked(face.lip_side, coarse.fine);
     fewer->muscles = face.muscles;
     fewer->axes = face.axes;
@@ -183,6 +184,13 @@ Drive CoarseLevel::restricted(const Drive& drive) const {
     Drive coarse;
     coarse.gravity = drive.gravity;
     coarse.obstacle_pose = drive.obstacle_pose;
+    if (drive.inertia.size() > 0) {  // where it leads to is the finer level's to say
+        coarse.inertia.resize(total);
+        coarse.inertia.head(skin) =
+            face_->prolongation.transpose() * drive.inertia.head(finer_skin());
+        coarse.inertia.tail(total - skin) = drive.inertia.tail(total - skin);
+        coarse.ahead = Points::Zero(3, total);
+    }
     if (drive.shift.cols() > 0) {
         coarse.shift = drive.shift(Eigen::all, nodes);
     }

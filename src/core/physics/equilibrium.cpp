@@ -317,6 +317,10 @@ void EquilibriumSolver::drive_changed() {
     drive_changed_ = true;
 }
 
+void EquilibriumSolver::loads_changed() {
+    loads_changed_ = true;
+}
+
 void EquilibriumSolver::restart() {
     level_->relaxation.restart();
     level_->begin_rounds();
@@ -334,7 +338,11 @@ RelaxReport EquilibriumSolver::relax(MassSpringState& state, const Drive& drive,
         level_->set_drive(drive);
         drive_changed_ = false;
         had_layer_ = layer;
+    } else if (loads_changed_) {
+        level_->relaxation.packed().set_loads(drive);
+        level_->hands_moved();
     }
+    loads_changed_ = false;
     std::vector<Eigen::Vector2d> targets;
     for (const Handle& handle : handles) {
         targets.push_back(handle.target);

@@ -85,6 +85,9 @@ Eigen::VectorXd stiffness_row_sums(const MassSpringModel& model, const Points& p
         if (model.contact_of[i] >= 0) {
             sum += 2.0 * model.contacts[model.contact_of[i]].stiffness;
         }
+        if (drive.inertia.size() > 0) {
+            sum += drive.inertia[i];
+        }
         for (int o = 0; o < barriers_of(model, i); ++o) {
             if (barrier_at(model, drive, positions.col(i), i, o).distance < 0.0) {
                 sum += model.barriers.stiffness[i];

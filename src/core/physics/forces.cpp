@@ -127,6 +127,10 @@ double potential_energy(const MassSpringModel& model, const MassSpringState& sta
         if (drive.load.cols() > 0) {
             energy -= drive.load.col(i).dot(u.col(i));
         }
+        if (drive.inertia.size() > 0) {
+            energy += drive.inertia[i] *
+                      (0.5 * u.col(i).squaredNorm() - drive.ahead.col(i).dot(u.col(i)));
+        }
     }
     if (state.layer.cols() > 0) {
         energy += quadratic(model.layer.links, state.layer);

@@ -126,6 +126,9 @@ inline Vec3 node_force(const MassSpringModel& model, const Points& x, const Poin
     if (drive.load.cols() > 0) {
         force += drive.load.col(i);
     }
+    if (drive.inertia.size() > 0) {
+        force -= drive.inertia[i] * (at - model.rest.col(i) - drive.ahead.col(i));
+    }
     return force;
 }
 

@@ -47,6 +47,8 @@ struct PackedModel::Data {
     explicit Data(const MassSpringModel& model);
 
     void set_drive(const Drive& drive);
+    /// Gravity, loads and inertia only.
+    void set_loads(const Drive& drive);
     /// The tether's targets go along with the muscle layer. @param layer 3×skin nodes
     void set_shift(const Drive& drive, const Points& layer);
     /// Rows' places at rest, nothing moved.

@@ -307,9 +307,27 @@ void PackedModel::Data::set_drive(const Drive& drive) {
     for (const Eigen::Isometry3d& pose : pose_) {
         unposed_.push_back(pose.inverse());
     }
-    const Vec3 gravity = drive.gravity - model.rest_gravity;
     targeted = drive.carry.cols() > 0 || drive.shift.cols() > 0 || drive.height.size() > 0;
-    loaded = drive.load.cols() > 0 || gravity != Vec3::Zero() ||
+    for (int r = 0; r < nodes; ++r) {
+        const int i = node_of[r];
+        const int k = r % kLanes;
+        const auto s = static_cast<std::size_t>(r / kLanes);
+        const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
+        ties[s].tether[k] = static_cast<float>(model.ties[i].tether * boost);
+        for (int axis = 0; axis < 3; ++axis) {
+            targets[s].carry[axis][k] =
+                drive.carry.cols() > 0 ? static_cast<float>(drive.carry(axis, i)) : 0.0F;
+            targets[s].shift[axis][k] =
+                drive.shift.cols() > 0 ? static_cast<float>(drive.shift(axis, i)) : 0.0F;
+        }
+        targets[s].height[k] = drive.height.size() > 0 ? static_cast<float>(drive.height[i]) : 0.0F;
+    }
+    set_loads(drive);
+}
+
+void PackedModel::Data::set_loads(const Drive& drive) {
+    const Vec3 gravity = drive.gravity - model.rest_gravity;
+    loaded = drive.load.cols() > 0 || drive.inertia.size() > 0 || gravity != Vec3::Zero() ||
              std::any_of(linear_ground_.data(), linear_ground_.data() + linear_ground_.size(),
                          [](const ScalarLanes& lanes) {
                              return std::any_of(lanes.s, lanes.s + kLanes,
@@ -319,19 +337,18 @@ void PackedModel::Data::set_drive(const Drive& drive) {
         const int i = node_of[r];
         const int k = r % kLanes;
         const auto s = static_cast<std::size_t>(r / kLanes);
-        const double boost = drive.tether_boost.size() > 0 ? drive.tether_boost[i] : 1.0;
-        ties[s].tether[k] = static_cast<float>(model.ties[i].tether * boost);
-        const Vec3 force = model.mass[i] * gravity +
-                           (drive.load.cols() > 0 ? Vec3(drive.load.col(i)) : Vec3(Vec3::Zero()));
+        Vec3 force = model.mass[i] * gravity;
+        if (drive.load.cols() > 0) {
+            force += drive.load.col(i);
+        }
+        loads[s].ground[k] = linear_ground_[s].s[k];
+        if (drive.inertia.size() > 0) {
+            force += drive.inertia[i] * drive.ahead.col(i);
+            loads[s].ground[k] += static_cast<float>(drive.inertia[i]);
+        }
         for (int axis = 0; axis < 3; ++axis) {
-            targets[s].carry[axis][k] =
-                drive.carry.cols() > 0 ? static_cast<float>(drive.carry(axis, i)) : 0.0F;
-            targets[s].shift[axis][k] =
-                drive.shift.cols() > 0 ? static_cast<float>(drive.shift(axis, i)) : 0.0F;
             loads[s].force[axis][k] = static_cast<float>(force[axis]);
         }
-        targets[s].height[k] = drive.height.size() > 0 ? static_cast<float>(drive.height[i]) : 0.0F;
-        loads[s].ground[k] = linear_ground_[s].s[k];
     }
 }
 

@@ -241,7 +241,7 @@ std::pair<std::string, double> parse_setting(const std::string& text) {
     return {trimmed(text.substr(0, equals)), value};
 }
 
-PlanReport run_plan(Simulator& simulator, const Plan& plan) {
+PlanReport run_plan(Simulator& simulator, const Plan& plan, std::optional<double> seconds) {
     PlanReport report;
     bool settled = false;
     for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -279,7 +279,12 @@ PlanReport run_plan(Simulator& simulator, const Plan& plan) {
             settled = true;
         }
     }
-    if (!settled) {
+    if (seconds) {
+        if (simulator.dragging()) {
+            simulator.end_drag(false);
+        }
+        report.last = simulator.live_on(*seconds);
+    } else if (!settled) {
         report.last = simulator.settle();
     }
     return report;

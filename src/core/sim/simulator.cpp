@@ -19,6 +19,8 @@ constexpr double kStillOnScreen = 2e-5;  // a step below this is seen as rest [m
 constexpr int kMostSweeps = 12000;
 constexpr int kMostTimeSteps = 400000;
 constexpr double kClose = 0.02;       // [mm]
+constexpr int kLiveSteps = 2;         // of a frame in time
+constexpr double kCalm = 1.0;         // [mm/s] from here on live tissue goes straight to rest
 constexpr double kStillSpeed = 0.02;  // a tissue slower than this is at rest [mm/s]
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
@@ -83,10 +85,14 @@ void Simulator::rebuild() {
     }
     solver_ = std::make_unique<EquilibriumSolver>(system_->model, coarser_.get());
     time_step_ = 0.0;
+    if (motion_) {
+        motion_ = std::make_unique<ImplicitMotion>(system_->model);
+    }
 }
 
 void Simulator::refresh_drive() {
     const Points before = std::move(drive_.carry);
+    const int n = system_->model.node_count();
     drive_ = contraction_drive(*system_, responses_, contractions_);
     drive_.gravity = kUprightGravity;
     drive_.obstacle_pose = obstacle_poses(*face_, jaw_opening(*face_, contractions_));
@@ -99,13 +105,21 @@ void Simulator::refresh_drive() {
     if (way > kJump) {
         solver_->restart();
     }
+    Points jump = Points::Zero(3, before.cols() + drive_.carry.cols() > 0 ? n : 0);
     if (before.cols() > 0) {
-        state_.positions -= before;
+        jump -= before;
     }
     if (drive_.carry.cols() > 0) {
-        state_.positions += drive_.carry;
+        jump += drive_.carry;
     }
-    for (int i = 0; i < system_->model.node_count(); ++i) {
+    if (jump.cols() > 0) {
+        state_.positions += jump;
+        if (motion_) {
+            motion_->shift(jump);
+        }
+    }
+    swings_ = live();
+    for (int i = 0; i < n; ++i) {
         if (system_->model.fixed[i] != 0) {  // back to the same bits
             state_.positions.col(i) = system_->model.rest.col(i);
             if (drive_.carry.cols() > 0) {
@@ -156,11 +170,13 @@ void Simulator::begin_drag(const DragRequest& request, const ViewRay& ray) {
     }
     before_drag_ = state_.positions;
     drag_ = std::make_unique<SkinDrag>(*face_, *system_, request, ray, state_.positions);
+    swings_ = live();
 }
 
 void Simulator::move_drag(const ViewRay& ray) {
     if (drag_) {
         drag_->move_to(ray);
+        swings_ = live();
     }
 }
 
@@ -207,15 +223,9 @@ StepReport Simulator::step(int iterations) {
     if (options_.solver != SolverKind::Equilibrium && !drag_) {
         report = integrate(false, iterations);
     } else {
-        RelaxReport relaxed;
+        const RelaxReport relaxed = swings_ ? relax_in_time(iterations) : relax(iterations);
         if (drag_) {
-            relaxed = drag_->update(*solver_, state_, drive_, iterations);
             report.drag = drag_->report(state_, drive_, false);
-        } else {
-            RelaxOptions options;
-            options.iterations = iterations;
-            options.still_mm = kStillOnScreen;
-            relaxed = solver_->relax(state_, drive_, options);
         }
         report.iterations = relaxed.iterations;
         report.residual = relaxed.residual;
@@ -231,6 +241,7 @@ StepReport Simulator::step(int iterations) {
 
 StepReport Simulator::settle() {
     const auto start = std::chrono::steady_clock::now();
+    stop_motion();
     StepReport report;
     if (options_.solver != SolverKind::Equilibrium && !drag_) {
         report = integrate(true, kMostTimeSteps);
@@ -256,11 +267,84 @@ StepReport Simulator::settle() {
     return report;
 }
 
+void Simulator::set_live(double pace) {
+    pace_ = pace;
+    if (live() != (pace > 0.0)) {
+        stop_motion();
+        motion_ = pace > 0.0 ? std::make_unique<ImplicitMotion>(system_->model) : nullptr;
+        swings_ = live();
+    }
+}
+
+/// One call of the solver, in the hand or without.
+RelaxReport Simulator::relax(int iterations) {
+    if (drag_) {
+        return drag_->update(*solver_, state_, drive_, iterations);
+    }
+    RelaxOptions options;
+    options.iterations = iterations;
+    options.still_mm = kStillOnScreen;
+    return solver_->relax(state_, drive_, options);
+}
+
+RelaxReport Simulator::relax_in_time(int iterations) {
+    RelaxReport report;
+    for (int k = 0; k < kLiveSteps; ++k) {
+        const bool begins = drive_.inertia.size() == 0;
+        motion_->begin(state_, pace_ * kLiveFrame / kLiveSteps, drive_);
+        begins ? solver_->drive_changed() : solver_->loads_changed();
+        const RelaxReport step = relax(std::max(1, iterations / kLiveSteps));
+        motion_->end(state_);
+        report.iterations += step.iterations;
+        report.residual = step.residual;
+        report.finite = step.finite;
+        if (!step.finite) {
+            state_.velocities.setZero();
+            motion_->restart();
+            break;
+        }
+    }
+    if (state_.velocities.colwise().squaredNorm().maxCoeff() < kCalm * kCalm) {
+        stop_motion();
+    }
+    return report;
+}
+
+/// From here on it goes to rest without regard to time.
+void Simulator::stop_motion() {
+    swings_ = false;
+    state_.velocities.setZero();
+    if (motion_) {
+        motion_->restart();
+    }
+    if (drive_.inertia.size() > 0) {
+        drive_.inertia.resize(0);
+        drive_.ahead.resize(3, 0);
+        solver_->drive_changed();
+    }
+}
+
+StepReport Simulator::live_on(double seconds) {
+    constexpr int kSweeps = 60;
+    const double before = pace_;
+    set_live(1.0);
+    StepReport report;
+    int iterations = 0;
+    for (int frame = 0; frame < std::max(1L, std::lround(seconds / kLiveFrame)); ++frame) {
+        report = step(kSweeps);
+        iterations += report.iterations;
+    }
+    report.iterations = iterations;
+    set_live(before);
+    return report;
+}
+
 /// Where nothing acts, the rest is an equilibrium, known exactly: what has come close to it has
 /// arrived. @return whether it has
 bool Simulator::snap_to_rest() {
     const auto nothing = [](double rate) { return rate == 0.0; };
-    if (drag_ || !std::all_of(contractions_.rate.begin(), contractions_.rate.end(), nothing)) {
+    if (drag_ || swings_ ||
+        !std::all_of(contractions_.rate.begin(), contractions_.rate.end(), nothing)) {
         return false;
     }
     const Points left = state_.positions - system_->model.rest;
