@@ -55,7 +55,22 @@ void EditArguments::add_to(CLI::App& command) {
     command
         .add_option("--drag", drags,
                     "\"at=prn; view=left; move=RIGHT,UP; mode=mouse|constraint; radius=MM; "
-                    "mirror=0|1\"; repeatable")
+                    "mirror=0|1; path=free|normal|midplane\"; repeatable")
+        ->allow_extra_args(false);
+    command
+        .add_option("--volume", volumes,
+                    "\"at=zy_l; ml=0.5; radius=MM; mirror=0|1\": tissue added, or taken away below "
+                    "zero; repeatable")
+        ->allow_extra_args(false);
+    command
+        .add_option("--target", targets,
+                    "\"nasolabial angle=100\", \"tip projection by -2\": the face is shaped until "
+                    "a measure is met; repeatable")
+        ->allow_extra_args(false);
+    command
+        .add_option("--protect", protects,
+                    "\"at=prn; radius=MM; mirror=0|1\": skin that drags, volumes and targets leave "
+                    "alone; repeatable")
         ->allow_extra_args(false);
     command.add_option("--plan", plan, "edits from a JSON file, before all others");
 }
@@ -80,8 +95,17 @@ Plan EditArguments::edits() const {
         muscles_named(name);
         result.emplace_back(ContractionEdit{name, value});
     }
+    for (const std::string& text : protects) {
+        result.emplace_back(parse_protect(text));
+    }
     for (const std::string& text : drags) {
         result.emplace_back(parse_drag(text));
+    }
+    for (const std::string& text : volumes) {
+        result.emplace_back(parse_volume(text));
+    }
+    for (const std::string& text : targets) {
+        result.emplace_back(parse_target(text));
     }
     return result;
 }

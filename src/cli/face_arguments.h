@@ -21,9 +21,9 @@ struct FaceArguments {
 };
 
 /// --muscle, --expression, --strength, --drag, --plan, in the order: plan, strengths, expressions,
-/// muscles, drags.
+/// muscles, protection, drags, volumes, targets.
 struct EditArguments {
-    std::vector<std::string> muscles, expressions, strengths, drags;
+    std::vector<std::string> muscles, expressions, strengths, drags, volumes, targets, protects;
     std::string plan;
 
     void add_to(CLI::App& command);

@@ -7,6 +7,7 @@
 
 #include "myoface/base/error.h"
 #include "myoface/base/parallel.h"
+#include "myoface/measure/volume.h"
 #include "myoface/sim/snapshot.h"
 
 #include "commands.h"
@@ -66,6 +67,27 @@ std::string report_json(const Simulator& simulator, const PlanReport& plan, int 
     json["drags"] = nlohmann::ordered_json::array();
     for (const DragReport& drag : plan.drags) {
         json["drags"].push_back(drag_json(face, drag));
+    }
+    for (const VolumeReport& volume : plan.volumes) {
+        nlohmann::ordered_json entry{{"ml", volume.ml},
+                                     {"pressure_kPa", volume.pressure_kPa},
+                                     {"kept_share", volume.kept_share}};
+        for (const auto& [region, ml] : volume.by_region) {
+            entry["by_region_ml"][region_name(region)] = ml;
+        }
+        json["volumes"].push_back(entry);
+    }
+    for (const TargetReport& target : plan.targets) {
+        json["targets"].push_back({{"landmark", target.landmark},
+                                   {"before", target.before},
+                                   {"wanted", target.wanted},
+                                   {"reached", target.reached},
+                                   {"moved_mm", target.moved_mm},
+                                   {"force_mN", target.force_mN}});
+    }
+    const Points& scan = face.skin.mesh.vertices;
+    for (const auto& [region, ml] : volume_by_region(face, scan, simulator.skin_rest())) {
+        json["shape_ml"][region_name(region)] = ml;
     }
     char hash[20];
     std::snprintf(hash, sizeof hash, "%016llx",

@@ -103,8 +103,9 @@ TEST(StressKernel, GoesFurtherAlongTheSameLabel) {
     face.area = Eigen::VectorXd::Ones(441);
     face.tissue.resize(441);
     for (int v = 0; v < 441; ++v) {
-        face.label.push_back({Tissue::Skin, face.skin.mesh.vertices(0, v) <= 10.0 ? 0 : 1});
+        face.muscles_under.push_back({{face.skin.mesh.vertices(0, v) <= 10.0 ? 0 : 1, 1.0}});
     }
+    face.muscles.resize(2);
     Grip grip;
     grip.nodes = {10 * 21 + 10};
     grip.weights = {1.0};
@@ -128,6 +129,80 @@ TEST(MousePriority, EndsOnTheRayWithoutForceAlongIt) {
     EXPECT_LT(report.off_ray_mm, 0.05);
     EXPECT_LT(report.view_force_residual, 0.01);
     EXPECT_GT(report.force_mN, 100.0);
+}
+
+TEST(MousePriority, KeepsThePointUnderTheCursorInEveryFrame) {
+    // Also when the hand is quick, and whether the gesture comes in 3 or 30 events.
+    const auto face = small_model();
+    Points first;
+    for (const int events : {3, 30}) {
+        for (const char* at : {"ch_l", "prn", "pg", "g"}) {
+            Simulator sim(face);
+            DragRequest request;
+            request.where = at_landmark(*face, at);
+            const Vec3 start = position(face->skin.mesh, request.where);
+            const Vec3 view = Vec3(-0.3, 0.1, -1.0).normalized();
+            const auto plane = view_plane(view);
+            const auto ray = [&](double share) {
+                return ViewRay{
+                    start + share * (5.0 * plane.col(0) + 4.0 * plane.col(1)) - 300.0 * view, view};
+            };
+            sim.begin_drag(request, ray(0.0));
+            for (int e = 1; e <= events; ++e) {
+                sim.move_drag(ray(static_cast<double>(e) / events));
+                EXPECT_LT(sim.step(20).drag->off_ray_mm, 0.02) << at;
+            }
+            const StepReport report = sim.settle();
+            EXPECT_LT(report.drag->off_ray_mm, 0.005) << at;
+            EXPECT_LT(report.drag->view_force_residual, 0.01) << at;
+            const Points settled = sim.state().positions;
+            if (std::string(at) == "ch_l") {
+                if (first.cols() == 0) {
+                    first = settled;
+                }
+                EXPECT_LT((settled - first).colwise().norm().maxCoeff(), 0.05);
+            }
+            // There and back before release: as if nothing had been.
+            for (int e = events; e >= 0; --e) {
+                sim.move_drag(ray(static_cast<double>(e) / events));
+                sim.step(20);
+            }
+            sim.settle();
+            EXPECT_LT((sim.state().positions - sim.system().model.rest).colwise().norm().maxCoeff(),
+                      0.05)
+                << at;
+        }
+    }
+}
+
+TEST(MousePriority, GoesOnlyWhereItsPathAllows) {
+    const auto face = small_model();
+    const SurfacePoint where = at_point(*face, {30.0, -28.0, 85.0});
+    const Vec3 start = position(face->skin.mesh, where);
+    for (const DragPath path : {DragPath::Normal, DragPath::Midplane}) {
+        Simulator sim(face);
+        DragRequest request;
+        request.where = where;
+        request.path = path;
+        const Vec3 view = path == DragPath::Normal ? Vec3(-Vec3::UnitX()) : Vec3(-Vec3::UnitZ());
+        sim.begin_drag(request, {start - 300.0 * view, view});
+        sim.move_drag({start + Vec3(3.0, 3.0, 3.0) - 300.0 * view, view});
+        const Vec3 moved = sim.settle().drag->reached - start;
+        EXPECT_GT(moved.norm(), 1.0);
+        if (path == DragPath::Normal) {
+            Vec3 normal = Vec3::Zero();
+            for (int c = 0; c < 3; ++c) {
+                normal += where.weights[c] *
+                          face->sliding[face->skin.mesh.triangles(c, where.triangle)].normal;
+            }
+            // The plane across its ray is held; along it the tissue says where.
+            EXPECT_LT((moved - moved.dot(normal.normalized()) * normal.normalized()).norm(),
+                      0.5 * moved.norm());
+        } else {
+            EXPECT_NEAR(moved.dot(face->axes.col(0)), 0.0, 0.01);
+            EXPECT_NEAR(moved.dot(face->axes.col(1)), 3.0, 0.1);
+        }
+    }
 }
 
 TEST(MousePriority, FindsItsOwnDepth) {

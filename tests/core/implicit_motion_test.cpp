@@ -102,12 +102,12 @@ TEST(LiveMotion, SwingsPastRestAndSettlesThere) {
     still.settle();
     const double goal = (still.state().positions - still.system().model.rest).norm();
     ASSERT_GT(goal, 1.0);
-    simulator.set_live(0.25);  // slow motion
+    simulator.set_live(0.1);  // slow motion
     simulator.set_contraction(muscle, 1.0);
     double most = 0.0;
     std::vector<double> ways;
-    for (int frame = 0; frame < 240; ++frame) {
-        const StepReport report = simulator.step(60);
+    for (int frame = 0; frame < 300; ++frame) {
+        const StepReport report = simulator.step(30);
         EXPECT_TRUE(report.finite);
         ways.push_back((simulator.state().positions - simulator.system().model.rest).norm());
         most = std::max(most, ways.back());
@@ -127,7 +127,7 @@ TEST(LiveMotion, FollowsTheSymplecticReference) {
     Simulator live(face);
     const int muscle = test::muscle(*face, "frontalis_lateral.L");
     live.set_contraction(muscle, 0.5);
-    constexpr double kSeconds = 6.0 / 60.0;
+    constexpr double kSeconds = 2.0 / 60.0;
     live.live_on(kSeconds);
     // The same motion in small explicit steps, the ties' dampers as the live motion has them.
     FaceMassSpring system = build_mass_spring(*face, face->skin.mesh.vertices);
@@ -150,7 +150,7 @@ TEST(LiveMotion, FollowsTheSymplecticReference) {
         symplectic_euler_step(system.model, state, drive, kSeconds / steps);
     }
     const double way = (state.positions - system.model.rest).norm();
-    EXPECT_GT(way, 0.5);
+    EXPECT_GT(way, 0.2);
     EXPECT_LT((live.state().positions - state.positions).norm(), 0.15 * way);
 }
 

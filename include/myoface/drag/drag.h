@@ -13,12 +13,17 @@ namespace myoface {
 
 enum class DragMode { MousePriority, ConstraintPriority };
 
+/// Where a hand may go: anywhere, in and out along the skin's normal at the grip, or up, down,
+/// forward and back in the plane of the grip that is parallel to the midplane.
+enum class DragPath { Free, Normal, Midplane };
+
 /// Where a hand grips and how.
 struct DragRequest {
     SurfacePoint where;  ///< on FaceModel::skin
     DragMode mode = DragMode::MousePriority;
     double radius = 0.0;    ///< of the kernel [mm]; 0: by region (mouse), 12 (constraint)
     bool mirrored = false;  ///< the same on the other side of the face
+    DragPath path = DragPath::Free;
 };
 
 /// What became of a drag.
@@ -54,8 +59,9 @@ Vec3 depth_correction(const MassSpringModel& model, const Points& positions, int
 class SkinDrag {
 public:
     /// @param start positions at the grip (equilibrium)
+    /// @param yielding per skin node 1 … 0: how far it may be gripped; or nothing: all of it
     SkinDrag(const FaceModel& face, const FaceMassSpring& system, const DragRequest& request,
-             const ViewRay& ray, const Points& start);
+             const ViewRay& ray, const Points& start, const Eigen::VectorXd& yielding = {});
 
     /// The mouse went there: the grabbed point is wanted on this ray.
     void move_to(const ViewRay& ray);
@@ -79,6 +85,8 @@ private:
         StressKernel layer_kernel;  ///< on the muscle layer: wider, keener on labels
         ViewRay ray;
         Vec3 start = Vec3::Zero();
+        Vec3 normal = Vec3::UnitZ();  ///< of the skin, smoothed
+        double peak = 1.0;            ///< the kernel's profile at the grabbed point
         Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< of the handle, in the view plane
         /// What a hand that would have to pull harder than its bound stays behind by, in the plane.
         Eigen::Vector2d behind = Eigen::Vector2d::Zero();
@@ -93,7 +101,10 @@ private:
     std::vector<Handle> handles() const;
     std::vector<HandPull> pulls() const;
     Drive with_first_stage(const Drive& drive) const;
+    ViewRay guided(const Hand& hand, const ViewRay& ray) const;
     double step_towards_ray(MassSpringState& state);
+    double put_on_ray(MassSpringState& state);
+    void take_forces(const EquilibriumSolver& solver);
     double correct_targets(const Points& positions);
     static Eigen::Vector2d way_to_goal(const Hand& hand, const Vec3& at);
     bool yield_to_force(bool may_follow);
@@ -109,6 +120,7 @@ private:
     const FaceMassSpring& system_;
     DragRequest request_;
     Points start_;
+    Eigen::VectorXd yielding_;
     std::vector<Hand> hands_;
     double skin_share_ = 1.0;   ///< λ
     double layer_share_ = 0.0;  ///< μ

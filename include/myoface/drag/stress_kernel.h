@@ -23,6 +23,17 @@ struct StressKernel {
     double radius = 0.0;          ///< [mm] along equal labels
 };
 
+/// Takes nodes that may not be gripped out of a kernel, as far as they may not; what is left still
+/// sums to 1. @param yielding per skin node 1 … 0
+void spare(StressKernel& kernel, const Eigen::VectorXd& yielding);
+
+/// How much a brush touches each skin node: 1 in the inner half of its radius, 0 at its rim.
+/// @param radius along the surface [mm]
+Eigen::VectorXd brushed(const FaceModel& face, const SurfacePoint& where, double radius);
+
+/// The same place on the other side of the face, found on the average head, where it is exact.
+SurfacePoint mirrored_place(const FaceModel& face, const SurfacePoint& where);
+
 /// Grip radius that suits a region and the depth to the bone [mm].
 double kernel_radius(const FaceModel& face, const Grip& grip);
 

@@ -12,10 +12,11 @@ namespace myoface {
 enum class Sex { Female, Male };
 
 enum class MeasureKind {
-    Distance,  ///< straight, between two landmarks; of paired ones the mean of both sides [mm]
-    Angle,     ///< at the middle one of three midline landmarks [deg]
-    Tilt,      ///< of the line en-ex against the line of the inner canthi, up positive [deg]
-    Depth      ///< of the sellion in front of the inner canthi [mm]
+    Distance,   ///< straight, between two landmarks; of paired ones the mean of both sides [mm]
+    Angle,      ///< at the middle one of three midline landmarks [deg]
+    Tilt,       ///< of the line en-ex against the line of the inner canthi, up positive [deg]
+    Depth,      ///< of the sellion in front of the inner canthi [mm]
+    Projection  ///< of one landmark in front of the nasion, at right angles to the line n-pg [mm]
 };
 
 /// One measure of a face. Points are landmark names without side.

@@ -64,6 +64,17 @@ public:
     /// Reshapes the resting skin (undo, redo, a case). Ends a drag. @throws InvalidInput
     void set_skin_rest(const Points& skin_rest);
 
+    /// Outer forces on the skin, 3×skin nodes [mN], or 3×0: none.
+    void set_load(const Points& load);
+    /// Takes what moved since `before` over as the shape that rests, as far as it folds no skin
+    /// over itself. @param before 3×nodes [mm] @return the share that stays
+    double keep_shape(const Points& before);
+
+    /// What gestures leave alone: 0 … 1 per skin node, or nothing. Ends a drag.
+    /// @throws InvalidInput when it belongs to another face
+    void set_protection(const Eigen::VectorXd& share);
+    const Eigen::VectorXd& protection() const { return protection_; }
+
     /// Starts a gesture. @throws InvalidInput when the point does not move
     void begin_drag(const DragRequest& request, const ViewRay& ray);
     void move_drag(const ViewRay& ray);
@@ -94,6 +105,7 @@ public:
 
 private:
     void rebuild();
+    void hold_protected();
     void refresh_drive();
     RelaxReport relax(int iterations);
     RelaxReport relax_in_time(int iterations);
@@ -115,9 +127,12 @@ private:
     MassSpringState state_;
     std::unique_ptr<SkinDrag> drag_;
     Points before_drag_;
+    Points load_;
+    Eigen::VectorXd protection_;
     double time_step_ = 0.0;
     std::unique_ptr<ImplicitMotion> motion_;  ///< null: not live
     double pace_ = 0.0;
+    bool timed_ = false;   ///< the solver knows of inertia
     bool swings_ = false;  ///< else live tissue has calmed down
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "myoface/mesh/bvh.h"
 #include "myoface/physics/forces.h"
 
 namespace myoface {
@@ -19,6 +18,9 @@ constexpr double kLayerOtherLabel = 3.0;
 constexpr double kJudgingRadius = 12.0;  // [mm]
 constexpr int kBisections = 7;
 constexpr int kSettleSweeps = 6000;
+constexpr int kBetweenJumps = 3;  // sweeps while a quick hand is followed
+constexpr int kMostJumps = 8;
+constexpr double kOnRay = 0.002;  // [mm]
 
 Eigen::Vector2d in_plane(const ViewRay& ray, const Vec3& point) {
     return view_plane(ray.direction).transpose() * point;
@@ -53,8 +55,8 @@ Vec3 depth_correction(const MassSpringModel& model, const Points& positions, int
 }
 
 SkinDrag::SkinDrag(const FaceModel& face, const FaceMassSpring& system, const DragRequest& request,
-                   const ViewRay& ray, const Points& start)
-    : face_(face), system_(system), request_(request), start_(start) {
+                   const ViewRay& ray, const Points& start, const Eigen::VectorXd& yielding)
+    : face_(face), system_(system), request_(request), start_(start), yielding_(yielding) {
     hands_.push_back(make_hand(request.where, ray));
     if (request.mirrored) {
         add_mirrored_hand();
@@ -71,13 +73,33 @@ SkinDrag::Hand SkinDrag::make_hand(const SurfacePoint& where, const ViewRay& ray
     const double radius = request_.radius > 0.0 ? request_.radius : usual;
     hand.kernel = stress_kernel(face_, start_, hand.grip, radius);
     hand.layer_kernel = stress_kernel(face_, start_, hand.grip, 2.0 * radius, kLayerOtherLabel);
-    hand.ray = ray;
+    for (StressKernel* kernel : {&hand.kernel, &hand.layer_kernel}) {
+        if (yielding_.size() > 0) {
+            spare(*kernel, yielding_);
+        }
+    }
     hand.start = grip_position(hand.grip, start_);
+    hand.normal.setZero();
+    for (std::size_t k = 0; k < hand.grip.nodes.size(); ++k) {
+        hand.normal += hand.grip.weights[k] *
+                       face_.sliding[static_cast<std::size_t>(hand.grip.nodes[k])].normal;
+    }
+    hand.normal.normalize();
+    hand.peak = 0.0;
+    for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
+        for (std::size_t g = 0; g < hand.grip.nodes.size(); ++g) {
+            if (hand.grip.nodes[g] == hand.kernel.nodes[k]) {
+                hand.peak += hand.grip.weights[g] * hand.kernel.profile[k];
+            }
+        }
+    }
+    hand.peak = std::max(hand.peak, 0.2);
+    hand.ray = guided(hand, ray);
     Vec3 centre = Vec3::Zero();
     for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
         centre += hand.kernel.weights[k] * start_.col(hand.kernel.nodes[k]);
     }
-    hand.target = in_plane(ray, centre);
+    hand.target = in_plane(hand.ray, centre);
     std::vector<char> near(static_cast<std::size_t>(face_.node_count()), 0);
     for (const int node : stress_kernel(face_, start_, hand.grip, 2.0 * radius, 1.0).nodes) {
         near[node] = 1;
@@ -94,15 +116,11 @@ SkinDrag::Hand SkinDrag::make_hand(const SurfacePoint& where, const ViewRay& ray
 }
 
 void SkinDrag::add_mirrored_hand() {
-    // The other side is found on the average head, where it is exact, not in space.
     const TriangleMesh generic{face_.generic, face_.skin.mesh.triangles};
-    Vec3 other = position(generic, request_.where);
-    if (std::abs(other.x()) < 1.0) {
+    if (std::abs(position(generic, request_.where).x()) < 1.0) {
         return;  // on the midline already
     }
-    other.x() = -other.x();
-    const ClosestPoint found = Bvh(generic).closest_point(generic, other);
-    Hand hand = make_hand(found.where, hands_.front().ray);
+    Hand hand = make_hand(mirrored_place(face_, request_.where), hands_.front().ray);
     hands_.push_back(hand);
     hands_[1].ray = mirrored(hands_.front().ray);
     // The plane of the mirrored view differs: set the target anew.
@@ -133,10 +151,41 @@ void SkinDrag::move_to(const ViewRay& ray) {
         hand.ray = next;
         hand.target = in_plane(next, at);
     };
-    turn(hands_[0], ray);
+    const ViewRay wanted = guided(hands_[0], ray);
+    turn(hands_[0], wanted);
     if (hands_.size() > 1) {
-        turn(hands_[1], mirrored(ray));
+        turn(hands_[1], mirrored(wanted));
     }
+}
+
+/// The ray that leads where the gesture's path allows: what the path forbids it does not ask for.
+ViewRay SkinDrag::guided(const Hand& hand, const ViewRay& ray) const {
+    if (request_.path == DragPath::Free) {
+        return ray;
+    }
+    const Vec3 off = ray.origin - hand.start;
+    const Vec3 left = face_.axes.col(0);
+    if (request_.path == DragPath::Midplane) {
+        // Seen from the side the way lies in the plane; seen from the front it goes up and down.
+        ViewRay result = ray;
+        const Vec3 across = left - left.dot(ray.direction) * ray.direction;
+        if (across.norm() > 0.2) {
+            result.origin -= off.dot(across) / across.squaredNorm() * across;
+        }
+        return result;
+    }
+    // The point of the normal's line that is nearest to the ray, held from beside the line.
+    const Vec3 beside = ray.direction - ray.direction.dot(hand.normal) * hand.normal;
+    if (beside.norm() < 0.05) {
+        return ray;  // looked at along the normal: no way along it is seen
+    }
+    const double slope = ray.direction.dot(hand.normal);
+    const double along =
+        (hand.normal.dot(off) - slope * ray.direction.dot(off)) / (1.0 - slope * slope);
+    ViewRay result;
+    result.direction = beside.normalized();
+    result.origin = hand.start + along * hand.normal - 300.0 * result.direction;
+    return result;
 }
 
 std::vector<Handle> SkinDrag::handles() const {
@@ -231,6 +280,32 @@ double SkinDrag::step_towards_ray(MassSpringState& state) {
     return left;
 }
 
+/// The last hairs between the point and its ray. @return how far they were [mm]
+double SkinDrag::put_on_ray(MassSpringState& state) {
+    double furthest = 0.0;
+    for (Hand& hand : hands_) {
+        const Eigen::Vector2d way = way_to_goal(hand, grip_position(hand.grip, state.positions));
+        furthest = std::max(furthest, way.norm());
+        if (way.norm() > kLongestJump) {
+            continue;  // more than hairs: another frame's work
+        }
+        const Vec3 move = view_plane(hand.ray.direction) * way / hand.peak;
+        double carried = 0.0;
+        for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
+            state.positions.col(hand.kernel.nodes[k]) += hand.kernel.profile[k] * move;
+            carried += hand.kernel.weights[k] * hand.kernel.profile[k];
+        }
+        hand.target += carried / hand.peak * way;
+    }
+    return furthest;
+}
+
+void SkinDrag::take_forces(const EquilibriumSolver& solver) {
+    for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
+        hands_[h].force = solver.hand_forces()[h];
+    }
+}
+
 /// The handle holds a mean of the kernel's nodes; the point itself must lie on the ray.
 double SkinDrag::correct_targets(const Points& positions) {
     double worst = 0.0;
@@ -284,9 +359,7 @@ RelaxReport SkinDrag::pull(EquilibriumSolver& solver, MassSpringState& state, co
     const RelaxReport report =
         second_stage_ ? solver.relax(state, with_first_stage(drive), options, {}, hands)
                       : solver.relax(state, drive, options, {}, hands);
-    for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
-        hands_[h].force = solver.hand_forces()[h];
-    }
+    take_forces(solver);
     return report;
 }
 
@@ -302,15 +375,22 @@ void SkinDrag::enter_second_stage(EquilibriumSolver& solver, MassSpringState& st
 RelaxReport SkinDrag::update(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
                              int iterations) {
     if (request_.mode == DragMode::MousePriority) {
-        const double left = step_towards_ray(state);
         RelaxOptions options;
+        options.iterations = kBetweenJumps;
+        double left = step_towards_ray(state);
+        for (int jump = 1; jump < kMostJumps && left > 0.0; ++jump) {
+            solver.relax(state, drive, options, handles());
+            take_forces(solver);
+            yield_to_force(true);
+            left = step_towards_ray(state);
+        }
         options.iterations = iterations;
         RelaxReport report = solver.relax(state, drive, options, handles());
-        for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
-            hands_[h].force = solver.hand_forces()[h];
-        }
+        take_forces(solver);
         const bool yields = yield_to_force(true);
-        report.converged = report.converged && left == 0.0 && !yields;
+        // What is shown has the point under the cursor.
+        const double off = report.finite ? put_on_ray(state) : 0.0;
+        report.converged = report.converged && off < kOnRay && !yields;
         return report;
     }
     RelaxReport report = pull(solver, state, drive, iterations);
@@ -381,16 +461,13 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state,
     }
     RelaxReport report;
     int sweeps = 0;
-    constexpr double kOnRay = 0.002;  // [mm]
     for (int round = 0; round < 200; ++round) {
         const double left = step_towards_ray(state);
         RelaxOptions options;
         options.iterations = left > 0.0 ? 20 : kSettleSweeps;
         report = solver.relax(state, drive, options, handles());
         sweeps += report.iterations;
-        for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
-            hands_[h].force = solver.hand_forces()[h];
-        }
+        take_forces(solver);
         if (!report.finite) {
             break;
         }
@@ -409,9 +486,8 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state,
                 sweeps += report.iterations;
                 worst = furthest_from_goal(state.positions);
             }
-            for (std::size_t h = 0; h < hands_.size() && h < solver.hand_forces().size(); ++h) {
-                hands_[h].force = solver.hand_forces()[h];
-            }
+            take_forces(solver);
+            put_on_ray(state);
             break;
         }
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "myoface/mesh/bvh.h"
 #include "myoface/mesh/geodesic.h"
 
 namespace myoface {
@@ -25,6 +26,46 @@ Vec3 grip_position(const Grip& grip, const Points& positions) {
         sum += grip.weights[k] * positions.col(grip.nodes[k]);
     }
     return sum;
+}
+
+void spare(StressKernel& kernel, const Eigen::VectorXd& yielding) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < kernel.nodes.size(); ++k) {
+        kernel.profile[k] *= yielding[kernel.nodes[k]];
+        kernel.weights[k] *= yielding[kernel.nodes[k]];
+        sum += kernel.weights[k];
+    }
+    for (double& weight : kernel.weights) {
+        weight /= std::max(sum, 1e-12);
+    }
+}
+
+Eigen::VectorXd brushed(const FaceModel& face, const SurfacePoint& where, double radius) {
+    const Points& skin = face.skin.mesh.vertices;
+    const Grip grip = grip_at(face, where);
+    const Vec3 centre = grip_position(grip, skin);
+    std::vector<GeodesicSource> sources;
+    for (const int node : grip.nodes) {
+        sources.push_back({node, (skin.col(node) - centre).norm()});
+    }
+    const std::vector<double> distance =
+        geodesic_distances(face.skin.mesh, *face.adjacency, sources, radius);
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(face.node_count());
+    for (int i = 0; i < face.node_count(); ++i) {
+        if (distance[static_cast<std::size_t>(i)] < radius) {
+            const double t =
+                std::clamp(2.0 - 2.0 * distance[static_cast<std::size_t>(i)] / radius, 0.0, 1.0);
+            share[i] = t * t * (3.0 - 2.0 * t);
+        }
+    }
+    return share;
+}
+
+SurfacePoint mirrored_place(const FaceModel& face, const SurfacePoint& where) {
+    const TriangleMesh generic{face.generic, face.skin.mesh.triangles};
+    Vec3 other = position(generic, where);
+    other.x() = -other.x();
+    return Bvh(generic).closest_point(generic, other).where;
 }
 
 double kernel_radius(const FaceModel& face, const Grip& grip) {

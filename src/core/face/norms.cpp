@@ -169,6 +169,15 @@ std::optional<double> measured(const Measure& measure, const Landmarks& landmark
             }
             return kDegrees * 0.5 * sum;
         }
+        case MeasureKind::Projection: {
+            const auto axes = axes_of(at);
+            const auto p = at(names[0]);
+            const auto root = at("n");
+            if (!axes || !p || !root) {
+                return std::nullopt;
+            }
+            return (*p - *root).dot(axes->front);
+        }
         case MeasureKind::Depth: {
             const auto axes = axes_of(at);
             const auto root = at(names[0]);

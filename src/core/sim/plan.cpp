@@ -2,8 +2,9 @@
 #include "myoface/sim/plan.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -12,40 +13,14 @@
 #include "myoface/mesh/bvh.h"
 #include "myoface/muscle/expression.h"
 
+#include "edit_text.h"
+
 namespace myoface {
 namespace {
 
 using nlohmann::json;
 
-std::string trimmed(const std::string& text) {
-    const std::size_t begin = text.find_first_not_of(" \t");
-    const std::size_t end = text.find_last_not_of(" \t");
-    return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
-
-bool read_number(const std::string& text, double& value) {
-    const std::string word = trimmed(text);
-    const char* begin = word.data() + (!word.empty() && word[0] == '+' ? 1 : 0);
-    const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
-    return !word.empty() && error == std::errc() && end == word.data() + word.size() &&
-           std::isfinite(value);
-}
-
-/// Numbers between commas; empty when one of them is not a number.
-std::vector<double> numbers(const std::string& text) {
-    std::vector<double> result;
-    std::size_t at = 0;
-    while (at <= text.size()) {
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        double value = 0.0;
-        if (!read_number(text.substr(at, comma - at), value)) {
-            return {};
-        }
-        result.push_back(value);
-        at = comma + 1;
-    }
-    return result;
-}
+constexpr double kProtectRadius = 10.0;  // [mm]
 
 Vec3 grabbed_place(const FaceModel& face, const std::string& at) {
     if (at.rfind("vertex", 0) == 0) {
@@ -64,7 +39,7 @@ Vec3 grabbed_place(const FaceModel& face, const std::string& at) {
     }
     const auto found = face.landmarks.find(at);
     if (found == face.landmarks.end()) {
-        throw InvalidInput("Drag: '" + at +
+        throw InvalidInput("'" + at +
                            "' is neither a landmark of this face, 'vertex N' nor 'x,y,z'.");
     }
     return found->second.position;
@@ -88,25 +63,31 @@ View view_of(const std::string& name) {
     return {q * Vec3::UnitX(), q * Vec3::UnitY(), q * -Vec3::UnitZ()};
 }
 
+/// The place of the skin that is meant, and where it is now. Places are meant on the scan as it
+/// was.
+SurfacePoint place_on_skin(const FaceModel& face, const std::string& at) {
+    const ClosestPoint hit =
+        Bvh(face.skin.mesh).closest_point(face.skin.mesh, grabbed_place(face, at));
+    if (hit.distance > 25.0) {
+        throw InvalidInput("'" + at + "' lies " + std::to_string(static_cast<int>(hit.distance)) +
+                           " mm away from the skin.");
+    }
+    return hit.where;
+}
+
 DragReport run_drag(Simulator& simulator, const DragEdit& drag, bool last, PlanReport& report) {
     const FaceModel& face = simulator.face();
     const TriangleMesh now{simulator.state().positions.leftCols(face.node_count()),
                            face.skin.mesh.triangles};
-    const Vec3 place = grabbed_place(face, drag.at);
-    // Places are meant on the scan as it was; the hand grips the same skin where it is now.
-    const ClosestPoint hit = Bvh(face.skin.mesh).closest_point(face.skin.mesh, place);
-    if (hit.distance > 25.0) {
-        throw InvalidInput("Drag: '" + drag.at + "' lies " +
-                           std::to_string(static_cast<int>(hit.distance)) +
-                           " mm away from the skin.");
-    }
+    const SurfacePoint where = place_on_skin(face, drag.at);
     DragRequest request;
-    request.where = hit.where;
+    request.where = where;
     request.mode = drag.mode;
     request.radius = drag.radius;
     request.mirrored = drag.mirrored;
+    request.path = drag.path;
     const View view = view_of(drag.view);
-    ViewRay ray{position(now, hit.where), view.forward};
+    ViewRay ray{position(now, where), view.forward};
     simulator.begin_drag(request, ray);
     ray.origin += drag.move.x() * view.right + drag.move.y() * view.up;
     simulator.move_drag(ray);
@@ -118,22 +99,56 @@ DragReport run_drag(Simulator& simulator, const DragEdit& drag, bool last, PlanR
     return result;
 }
 
+constexpr std::array<std::string_view, 3> kPaths{"free", "normal", "midplane"};
+
+/// Radius and mirror, which several edits have. @return whether the key was one of them
+template <typename Wrong>
+bool take_place(const std::string& key, const std::string& value, double& radius, bool& mirrored,
+                const Wrong& wrong) {
+    if (key == "radius") {
+        if (!read_number(value, radius) || radius < 0.0 || radius > 100.0) {
+            wrong("radius is a number of millimetres from 0 to 100.");
+        }
+        return true;
+    }
+    if (key == "mirror") {
+        if (value != "0" && value != "1") {
+            wrong("mirror is 0 or 1.");
+        }
+        mirrored = value == "1";
+        return true;
+    }
+    return false;
+}
+
+void append_place(std::string& text, double radius, bool mirrored) {
+    if (radius > 0.0) {
+        text += "; radius=";
+        append_number(text, radius);
+    }
+    text += mirrored ? "; mirror=1" : "";
+}
+
+/// Adds to what is protected already.
+void run_protect(Simulator& simulator, const ProtectEdit& protect) {
+    const FaceModel& face = simulator.face();
+    const double radius = protect.radius > 0.0 ? protect.radius : kProtectRadius;
+    Eigen::VectorXd share = simulator.protection().size() > 0
+                                ? simulator.protection()
+                                : Eigen::VectorXd::Zero(face.node_count());
+    const SurfacePoint where = place_on_skin(face, protect.at);
+    share = share.cwiseMax(brushed(face, where, radius));
+    if (protect.mirrored) {
+        share = share.cwiseMax(brushed(face, mirrored_place(face, where), radius));
+    }
+    simulator.set_protection(share);
+}
+
 }  // namespace
 
 DragEdit parse_drag(const std::string& text) {
     DragEdit drag;
-    std::size_t at = 0;
-    while (at < text.size()) {
-        const std::size_t end = std::min(text.find(';', at), text.size());
-        const std::string part = trimmed(text.substr(at, end - at));
-        at = end + 1;
-        if (part.empty()) {
-            continue;
-        }
-        const std::size_t equals = part.find('=');
-        const std::string key = trimmed(part.substr(0, equals));
-        const std::string value =
-            equals == std::string::npos ? "" : trimmed(part.substr(equals + 1));
+    each_part(text, [&](const std::string& key, const std::string& value) {
         const auto wrong = [&](const std::string& what) {
             throw InvalidInput("Drag '" + text + "': " + what);
         };
@@ -153,20 +168,87 @@ DragEdit parse_drag(const std::string& text) {
                 wrong("mode is mouse or constraint.");
             }
             drag.mode = value == "mouse" ? DragMode::MousePriority : DragMode::ConstraintPriority;
-        } else if (key == "radius") {
-            if (!read_number(value, drag.radius) || drag.radius < 0.0 || drag.radius > 100.0) {
-                wrong("radius is a number of millimetres from 0 to 100.");
+        } else if (key == "path") {
+            const auto path = std::find(kPaths.begin(), kPaths.end(), value);
+            if (path == kPaths.end()) {
+                wrong("path is free, normal or midplane.");
             }
-        } else if (key == "mirror") {
-            if (value != "0" && value != "1") {
-                wrong("mirror is 0 or 1.");
-            }
-            drag.mirrored = value == "1";
-        } else {
-            wrong("'" + key + "' is not one of at, view, move, mode, radius, mirror.");
+            drag.path = static_cast<DragPath>(path - kPaths.begin());
+        } else if (!take_place(key, value, drag.radius, drag.mirrored, wrong)) {
+            wrong("'" + key + "' is not one of at, view, move, mode, radius, mirror, path.");
         }
-    }
+    });
     return drag;
+}
+
+VolumeEdit parse_volume(const std::string& text) {
+    VolumeEdit volume;
+    each_part(text, [&](const std::string& key, const std::string& value) {
+        const auto wrong = [&](const std::string& what) {
+            throw InvalidInput("Volume '" + text + "': " + what);
+        };
+        if (key == "at") {
+            volume.at = value;
+        } else if (key == "ml") {
+            if (!read_number(value, volume.ml)) {
+                wrong("ml is a number of millilitres.");
+            }
+        } else if (!take_place(key, value, volume.radius, volume.mirrored, wrong)) {
+            wrong("'" + key + "' is not one of at, ml, radius, mirror.");
+        }
+    });
+    return volume;
+}
+
+std::string volume_to_text(const VolumeEdit& volume) {
+    std::string text = "at=" + volume.at + "; ml=";
+    append_number(text, volume.ml);
+    append_place(text, volume.radius, volume.mirrored);
+    return text;
+}
+
+TargetEdit parse_target(const std::string& text) {
+    TargetEdit target;
+    const std::size_t by = text.rfind(" by ");
+    const std::size_t equals = text.rfind('=');
+    const bool relative = equals == std::string::npos && by != std::string::npos;
+    const std::size_t at = relative ? by : equals;
+    if (at == std::string::npos ||
+        !read_number(text.substr(at + (relative ? 4 : 1)), target.value)) {
+        throw InvalidInput("Target '" + text +
+                           "' is neither \"MEASURE=NUMBER\" nor \"MEASURE by CHANGE\".");
+    }
+    target.measure = trimmed(text.substr(0, at));
+    target.relative = relative;
+    target_measure(target.measure);
+    return target;
+}
+
+std::string target_to_text(const TargetEdit& target) {
+    std::string text = target.measure + (target.relative ? " by " : "=");
+    append_number(text, target.value);
+    return text;
+}
+
+ProtectEdit parse_protect(const std::string& text) {
+    ProtectEdit protect;
+    each_part(text, [&](const std::string& key, const std::string& value) {
+        const auto wrong = [&](const std::string& what) {
+            throw InvalidInput("Protect '" + text + "': " + what);
+        };
+        if (key == "at") {
+            protect.at = value;
+        } else if (!take_place(key, value, protect.radius, protect.mirrored, wrong)) {
+            wrong("'" + key + "' is not one of at, radius, mirror.");
+        }
+    });
+    return protect;
+}
+
+std::string protect_to_text(const ProtectEdit& protect) {
+    std::string text = "at=" + protect.at;
+    append_place(text, protect.radius, protect.mirrored);
+    return text;
 }
 
 std::string drag_to_text(const DragEdit& drag) {
@@ -175,11 +257,12 @@ std::string drag_to_text(const DragEdit& drag) {
     text += ',';
     append_number(text, drag.move.y());
     text += drag.mode == DragMode::MousePriority ? "; mode=mouse" : "; mode=constraint";
-    if (drag.radius > 0.0) {
-        text += "; radius=";
-        append_number(text, drag.radius);
+    append_place(text, drag.radius, drag.mirrored);
+    if (drag.path != DragPath::Free) {
+        text += "; path=";
+        text += kPaths[static_cast<std::size_t>(drag.path)];
     }
-    return text + (drag.mirrored ? "; mirror=1" : "");
+    return text;
 }
 
 Plan plan_from_json(const std::string& text, const std::string& name) {
@@ -192,8 +275,17 @@ Plan plan_from_json(const std::string& text, const std::string& name) {
         const std::string place = name + " edit " + std::to_string(plan.size() + 1) + ": ";
         const bool muscle =
             edit.is_object() && edit.contains("muscle") && edit["muscle"].is_string();
-        if (edit.is_object() && edit.contains("drag") && edit["drag"].is_string()) {
+        const auto is_text = [&](const char* key) {
+            return edit.is_object() && edit.contains(key) && edit[key].is_string();
+        };
+        if (is_text("drag")) {
             plan.emplace_back(parse_drag(edit["drag"].get<std::string>()));
+        } else if (is_text("volume")) {
+            plan.emplace_back(parse_volume(edit["volume"].get<std::string>()));
+        } else if (is_text("target")) {
+            plan.emplace_back(parse_target(edit["target"].get<std::string>()));
+        } else if (is_text("protect")) {
+            plan.emplace_back(parse_protect(edit["protect"].get<std::string>()));
         } else if (muscle && edit.contains("rate") && edit["rate"].is_number()) {
             plan.emplace_back(
                 ContractionEdit{edit["muscle"].get<std::string>(), edit["rate"].get<double>()});
@@ -206,9 +298,10 @@ Plan plan_from_json(const std::string& text, const std::string& name) {
             plan.emplace_back(
                 StrengthEdit{edit["muscle"].get<std::string>(), edit["strength"].get<double>()});
         } else {
-            throw IoError(place +
-                          "is neither a drag, nor a muscle with a rate or strength, nor an "
-                          "expression with an intensity.");
+            throw IoError(
+                place +
+                "is none of drag, volume, target and protect, nor a muscle with a rate or "
+                "strength, nor an expression with an intensity.");
         }
     }
     return plan;
@@ -224,6 +317,12 @@ std::string plan_to_json(const Plan& plan) {
         } else if (const auto* expression = std::get_if<ExpressionEdit>(&edit)) {
             list.push_back(
                 {{"expression", expression->expression}, {"intensity", expression->intensity}});
+        } else if (const auto* volume = std::get_if<VolumeEdit>(&edit)) {
+            list.push_back({{"volume", volume_to_text(*volume)}});
+        } else if (const auto* target = std::get_if<TargetEdit>(&edit)) {
+            list.push_back({{"target", target_to_text(*target)}});
+        } else if (const auto* protect = std::get_if<ProtectEdit>(&edit)) {
+            list.push_back({{"protect", protect_to_text(*protect)}});
         } else {
             list.push_back({{"drag", drag_to_text(std::get<DragEdit>(edit))}});
         }
@@ -270,13 +369,28 @@ PlanReport run_plan(Simulator& simulator, const Plan& plan, std::optional<double
                 simulator.set_strength(m, strength->strength);
             }
             settled = false;
+        } else if (const auto* protect = std::get_if<ProtectEdit>(&plan[i])) {
+            run_protect(simulator, *protect);
         } else {
             if (!settled) {
-                simulator.settle();
+                report.last = simulator.settle();
+            }
+            settled = true;
+            if (const auto* volume = std::get_if<VolumeEdit>(&plan[i])) {
+                report.volumes.push_back(
+                    add_volume(simulator, {place_on_skin(simulator.face(), volume->at), volume->ml,
+                                           volume->radius, volume->mirrored}));
+                settled = false;
+                continue;
+            }
+            if (const auto* target = std::get_if<TargetEdit>(&plan[i])) {
+                report.targets.push_back(meet_target(
+                    simulator, {target_measure(target->measure), target->value, target->relative}));
+                settled = false;
+                continue;
             }
             const bool last = i + 1 == plan.size();
             report.drags.push_back(run_drag(simulator, std::get<DragEdit>(plan[i]), last, report));
-            settled = true;
         }
     }
     if (seconds) {

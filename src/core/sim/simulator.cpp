@@ -18,10 +18,11 @@ namespace {
 constexpr double kStillOnScreen = 2e-5;  // a step below this is seen as rest [mm]
 constexpr int kMostSweeps = 12000;
 constexpr int kMostTimeSteps = 400000;
-constexpr double kClose = 0.02;       // [mm]
-constexpr int kLiveSteps = 2;         // of a frame in time
-constexpr double kCalm = 1.0;         // [mm/s] from here on live tissue goes straight to rest
-constexpr double kStillSpeed = 0.02;  // a tissue slower than this is at rest [mm/s]
+constexpr double kClose = 0.02;         // [mm]
+constexpr int kLiveSteps = 2;           // of a frame in time
+constexpr double kCalm = 1.0;           // [mm/s] from here on live tissue goes straight to rest
+constexpr double kProtection = 2000.0;  // of skin that is to stay [mN/mm per mm²]
+constexpr double kStillSpeed = 0.02;    // a tissue slower than this is at rest [mm/s]
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -97,6 +98,7 @@ void Simulator::refresh_drive() {
     drive_.gravity = kUprightGravity;
     drive_.obstacle_pose = obstacle_poses(*face_, jaw_opening(*face_, contractions_));
     solver_->drive_changed();
+    timed_ = false;
     // What is carried starts from where it is carried to: relaxation has the rest to do only.
     constexpr double kJump = 0.5;  // [mm] that momentum does not survive
     const double way = drive_.carry.cols() == 0 ? (before.cols() > 0 ? 1.0 : 0.0)
@@ -119,6 +121,11 @@ void Simulator::refresh_drive() {
         }
     }
     swings_ = live();
+    if (load_.cols() > 0) {
+        drive_.load = Points::Zero(3, n);
+        drive_.load.leftCols(load_.cols()) = load_;
+    }
+    hold_protected();
     for (int i = 0; i < n; ++i) {
         if (system_->model.fixed[i] != 0) {  // back to the same bits
             state_.positions.col(i) = system_->model.rest.col(i);
@@ -169,8 +176,21 @@ void Simulator::begin_drag(const DragRequest& request, const ViewRay& ray) {
         throw InvalidInput("This part of the scan does not move: grip the face itself.");
     }
     before_drag_ = state_.positions;
-    drag_ = std::make_unique<SkinDrag>(*face_, *system_, request, ray, state_.positions);
+    Eigen::VectorXd yielding;
+    if (protection_.size() > 0) {
+        double held = 0.0;
+        for (std::size_t k = 0; k < grip.nodes.size(); ++k) {
+            held += grip.weights[k] * protection_[grip.nodes[k]];
+        }
+        if (held > 0.9) {
+            throw InvalidInput("This part of the face is protected: grip beside it.");
+        }
+        yielding = 1.0 - protection_.array();
+    }
+    drag_ = std::make_unique<SkinDrag>(*face_, *system_, request, ray, state_.positions, yielding);
     swings_ = live();
+    hold_protected();
+    solver_->drive_changed();
 }
 
 void Simulator::move_drag(const ViewRay& ray) {
@@ -190,31 +210,75 @@ DragReport Simulator::end_drag(bool keep) {
     }
     DragReport report = drag_->report(state_, drive_, true);
     if (keep && report.mode == DragMode::MousePriority) {
-        const Points moved = state_.positions - before_drag_;
-        // What would leave skin folded over itself is kept only in part.
-        constexpr double kLess = 0.1;
-        const Points& scan = face_->skin.mesh.vertices;
-        const int already = turned_over(*face_, scan, skin_rest_);
-        while (report.kept_share > 0.0 &&
-               turned_over(*face_, scan,
-                           skin_rest_ + report.kept_share * moved.leftCols(face_->node_count())) >
-                   already) {
-            report.kept_share = std::max(0.0, report.kept_share - kLess);
-        }
-        skin_rest_ += report.kept_share * moved.leftCols(face_->node_count());
-        const Points shown = before_drag_ + report.kept_share * moved;
-        rebuild();
-        state_.positions = shown;
-        // The chains follow the reshaped skin; what is left of their motion is contraction.
-        state_.positions.rightCols(shown.cols() - face_->node_count()) =
-            before_drag_.rightCols(shown.cols() - face_->node_count());
-    } else {
-        drag_.reset();
-        solver_->restart();
+        report.kept_share = keep_shape(before_drag_);
+        return report;
     }
+    drag_.reset();
+    solver_->restart();
     state_.layer.resize(3, 0);
     refresh_drive();
     return report;
+}
+
+double Simulator::keep_shape(const Points& before) {
+    constexpr double kLess = 0.1;
+    const Points moved = state_.positions - before;
+    const Points& scan = face_->skin.mesh.vertices;
+    const int already = turned_over(*face_, scan, skin_rest_);
+    double share = 1.0;
+    while (share > 0.0 &&
+           turned_over(*face_, scan, skin_rest_ + share * moved.leftCols(face_->node_count())) >
+               already) {
+        share = std::max(0.0, share - kLess);
+    }
+    skin_rest_ += share * moved.leftCols(face_->node_count());
+    const Points shown = before + share * moved;
+    rebuild();
+    state_.positions = shown;
+    // The chains follow the reshaped skin; what is left of their motion is contraction.
+    const Eigen::Index chains = shown.cols() - face_->node_count();
+    state_.positions.rightCols(chains) = before.rightCols(chains);
+    state_.layer.resize(3, 0);
+    refresh_drive();
+    return share;
+}
+
+void Simulator::set_load(const Points& load) {
+    load_ = load;
+    refresh_drive();
+}
+
+void Simulator::set_protection(const Eigen::VectorXd& share) {
+    if (share.size() != 0 && share.size() != face_->node_count()) {
+        throw InvalidInput("What is to be protected does not belong to this face.");
+    }
+    if (drag_) {
+        end_drag(false);
+    }
+    const bool any = share.size() > 0 && share.maxCoeff() > 0.0;
+    protection_ = any ? Eigen::VectorXd(share.cwiseMax(0.0).cwiseMin(1.0)) : Eigen::VectorXd();
+    refresh_drive();
+}
+
+/// While a hand is at the face, protected skin stays where it was when the hand came.
+void Simulator::hold_protected() {
+    if (!drag_ || protection_.size() == 0) {
+        return;
+    }
+    if (drive_.inertia.size() == 0) {
+        drive_.inertia = Eigen::VectorXd::Zero(system_->model.node_count());
+        drive_.ahead = Points::Zero(3, system_->model.node_count());
+    }
+    for (int i = 0; i < face_->node_count(); ++i) {
+        if (protection_[i] > 0.0) {
+            const double hold = kProtection * protection_[i] * face_->area[i];
+            const double sum = drive_.inertia[i] + hold;
+            drive_.ahead.col(i) = (drive_.inertia[i] * drive_.ahead.col(i) +
+                                   hold * (before_drag_.col(i) - system_->model.rest.col(i))) /
+                                  std::max(sum, 1e-12);
+            drive_.inertia[i] = sum;
+        }
+    }
 }
 
 StepReport Simulator::step(int iterations) {
@@ -290,9 +354,10 @@ RelaxReport Simulator::relax(int iterations) {
 RelaxReport Simulator::relax_in_time(int iterations) {
     RelaxReport report;
     for (int k = 0; k < kLiveSteps; ++k) {
-        const bool begins = drive_.inertia.size() == 0;
         motion_->begin(state_, pace_ * kLiveFrame / kLiveSteps, drive_);
-        begins ? solver_->drive_changed() : solver_->loads_changed();
+        hold_protected();
+        timed_ ? solver_->loads_changed() : solver_->drive_changed();
+        timed_ = true;
         const RelaxReport step = relax(std::max(1, iterations / kLiveSteps));
         motion_->end(state_);
         report.iterations += step.iterations;
@@ -317,9 +382,11 @@ void Simulator::stop_motion() {
     if (motion_) {
         motion_->restart();
     }
-    if (drive_.inertia.size() > 0) {
+    if (timed_) {
+        timed_ = false;
         drive_.inertia.resize(0);
         drive_.ahead.resize(3, 0);
+        hold_protected();
         solver_->drive_changed();
     }
 }
