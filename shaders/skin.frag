@@ -5,6 +5,7 @@ in vec3 eyeNormal;
 in vec3 vertexColour;
 in vec2 pictureAt;
 in float fold;
+in vec4 cover;
 in float cutDistance;
 
 uniform vec3 plainColour;
@@ -46,6 +47,8 @@ void main() {
     }
     vec3 base = hasTexture ? texture(picture, pictureAt).rgb
                            : pow(hasColours ? vertexColour : plainColour, vec3(2.2));
+
+    base = mix(base, pow(max(cover.rgb / max(cover.a, 1e-4), 0.0), vec3(2.2)), cover.a);
 
     // A portrait studio: large key light from above left, weak fill from the right, rim behind.
     const vec3 key = normalize(vec3(-0.42, 0.55, 0.72));

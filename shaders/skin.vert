@@ -5,6 +5,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
 layout(location = 3) in vec2 uv;
 layout(location = 4) in float cavity;
+layout(location = 5) in vec4 tint;
 
 uniform mat4 view;
 uniform mat4 projection;
@@ -16,6 +17,7 @@ out vec3 eyeNormal;
 out vec3 vertexColour;
 out vec2 pictureAt;
 out float fold;
+out vec4 cover;
 out float cutDistance;
 
 void main() {
@@ -25,6 +27,7 @@ void main() {
     vertexColour = colour;
     pictureAt = uv;
     fold = cavity;
+    cover = tint;
     cutDistance = dot(cutNormal, position) - cutOffset;
     gl_Position = projection * eye;
 }

@@ -7,6 +7,8 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QPainter>
+#include <QPainterPath>
 #include <QWheelEvent>
 
 #include "myoface/base/error.h"
@@ -104,6 +106,45 @@ void FaceView::paintGL() {
     static const SceneData kEmpty;
     m_renderer->draw(m_scene != nullptr ? m_scene->scene() : kEmpty, m_camera, w, h,
                      static_cast<float>(ratio));
+    if (m_inset) {
+        drawInset();
+    }
+}
+
+void FaceView::drawInset() {
+    constexpr int kSide = 210;  // [px]
+    constexpr double kPixelsPerMm = 3.6;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF frame(width() - kSide - 14.0, 14.0, kSide, kSide);
+    QPainterPath rounded;
+    rounded.addRoundedRect(frame, 8.0, 8.0);
+    painter.fillPath(rounded, QColor(20, 24, 30, 215));
+    painter.setPen(QColor(141, 153, 165));
+    painter.drawText(frame.adjusted(10, 6, -10, -6), Qt::AlignTop | Qt::AlignLeft,
+                     tr("from the side"));
+    painter.setClipPath(rounded);
+    painter.translate(frame.center());
+    painter.scale(kPixelsPerMm, -kPixelsPerMm);
+    painter.translate(-m_inset->point);
+    const auto lines = [&](const QVector<QLineF>& segments, const QColor& colour, double width) {
+        painter.setPen(QPen(colour, width / kPixelsPerMm, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLines(segments);
+    };
+    lines(m_inset->bone, QColor(206, 192, 160), 1.4);
+    lines(m_inset->before, QColor(125, 134, 146), 1.4);
+    lines(m_inset->now, QColor(235, 240, 245), 2.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(89, 199, 255));
+    painter.drawEllipse(m_inset->point, 4.0 / kPixelsPerMm, 4.0 / kPixelsPerMm);
+    painter.resetTransform();
+    painter.setClipping(false);
+    painter.setPen(QColor(141, 153, 165));
+    const double bar = 10.0 * kPixelsPerMm;
+    const QPointF foot = frame.bottomRight() - QPointF(12.0 + bar, 12.0);
+    painter.drawLine(foot, foot + QPointF(bar, 0.0));
+    painter.drawText(QRectF(foot - QPointF(0.0, 18.0), QSizeF(bar, 16.0)), Qt::AlignCenter,
+                     tr("10 mm"));
 }
 
 ViewRay FaceView::rayAt(const QPointF& at) const {
@@ -166,8 +207,54 @@ void FaceView::bringIntoView(const Vec3& point) {
     update();
 }
 
+/// What the tool does where the left button goes down. @return whether there is skin
+bool FaceView::beginOnSkin(const QPointF& at) {
+    const auto hit = hitAt(at);
+    if (!hit) {
+        return false;
+    }
+    if (m_tool == Tool::Volume) {
+        m_action = Action::MaybePlace;
+    } else if (m_tool == Tool::Protect) {
+        m_action = Action::Brush;
+        Q_EMIT brushed(hit->where);
+    } else {
+        m_action = Action::Grip;
+        Q_EMIT gripped(hit->where, rayAt(at));
+    }
+    return true;
+}
+
+std::vector<Vec3> FaceView::ringOnSkin(const SurfacePoint& where, double radius) {
+    if (where.triangle < 0 || where.triangle >= m_skin.triangle_count()) {
+        return {};
+    }
+    if (m_bvhStale) {
+        m_bvh.refit(m_skin);
+        m_bvhStale = false;
+    }
+    constexpr int kPoints = 40;
+    constexpr double kLift = 0.4;  // [mm] off the skin
+    const Vec3 centre = position(m_skin, where);
+    const Eigen::Matrix<double, 3, 2> plane =
+        view_plane(-double_area_vector(m_skin, where.triangle).normalized());
+    std::vector<Vec3> ring;
+    for (int k = 0; k <= kPoints; ++k) {
+        const double turn = 2.0 * 3.14159265358979 * k / kPoints;
+        const Vec3 off = radius * (plane * Eigen::Vector2d(std::cos(turn), std::sin(turn)));
+        const ClosestPoint found = m_bvh.closest_point(m_skin, centre + off);
+        ring.push_back(found.point +
+                       kLift * double_area_vector(m_skin, found.where.triangle).normalized());
+    }
+    return ring;
+}
+
 void FaceView::mousePressEvent(QMouseEvent* event) {
     m_last = m_pressed = event->localPos();
+    if (m_action == Action::Radius) {
+        m_action = Action::None;  // taken
+        return;
+    }
     if (m_action == Action::Grip) {
         return;
     }
@@ -186,10 +273,7 @@ void FaceView::mousePressEvent(QMouseEvent* event) {
             m_handleMoved = false;
             Q_EMIT handlePressed(m_handle);
         } else if (m_tool != Tool::Navigate && !turn) {
-            if (const auto hit = hitAt(m_last)) {
-                m_action = Action::Grip;
-                Q_EMIT gripped(hit->where, rayAt(m_last));
-            }
+            beginOnSkin(m_last);
         }
     }
     updateCursor(m_action == Action::Grip);
@@ -200,6 +284,16 @@ void FaceView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = at - m_last;
     m_last = at;
     switch (m_action) {
+        case Action::Radius:
+            Q_EMIT radiusMoved((at.x() - m_pressed.x()) * 2.0 * m_camera.distance *
+                               std::tan(0.5 * m_camera.field_of_view) / std::max(height(), 1));
+            break;
+        case Action::Brush:
+            if (const auto hit = hitAt(at)) {
+                Q_EMIT brushed(hit->where);
+            }
+            break;
+        case Action::MaybePlace:
         case Action::MaybePick:
             if (QPointF(at - m_pressed).manhattanLength() > kClickSlack) {
                 m_action = Action::Orbit;
@@ -243,6 +337,10 @@ void FaceView::mouseReleaseEvent(QMouseEvent* event) {
         }
     } else if (action == Action::Grip) {
         Q_EMIT released(true);
+    } else if (action == Action::MaybePlace) {
+        if (const auto hit = hitAt(event->localPos())) {
+            Q_EMIT placed(hit->where);
+        }
     } else if (action == Action::MaybePick) {
         if (const auto hit = hitAt(event->localPos())) {
             Q_EMIT picked(position(m_skin, hit->where));
@@ -270,7 +368,50 @@ void FaceView::wheelEvent(QWheelEvent* event) {
     update();
 }
 
+bool FaceView::nudgeKey(const QKeyEvent& event) {
+    const double steps = (event.modifiers() & Qt::ShiftModifier) != 0 ? 10.0 : 1.0;
+    switch (event.key()) {
+        case Qt::Key_Left:
+            Q_EMIT nudged(-steps, 0.0);
+            return true;
+        case Qt::Key_Right:
+            Q_EMIT nudged(steps, 0.0);
+            return true;
+        case Qt::Key_Up:
+            Q_EMIT nudged(0.0, steps);
+            return true;
+        case Qt::Key_Down:
+            Q_EMIT nudged(0.0, -steps);
+            return true;
+        default:
+            return false;
+    }
+}
+
 void FaceView::keyPressEvent(QKeyEvent* event) {
+    if (m_action == Action::Radius &&
+        (event->key() == Qt::Key_Escape || event->key() == Qt::Key_Return)) {
+        m_action = Action::None;
+        if (event->key() == Qt::Key_Escape) {
+            Q_EMIT radiusCancelled();
+        }
+        return;
+    }
+    if (m_action == Action::None && !m_pickMode) {
+        if (nudgeKey(*event)) {
+            return;
+        }
+        if (event->key() == Qt::Key_X) {
+            Q_EMIT mirrorToggled();
+            return;
+        }
+        if (event->key() == Qt::Key_F && m_tool != Tool::Navigate) {
+            m_pressed = mapFromGlobal(QCursor::pos());
+            m_action = Action::Radius;
+            Q_EMIT radiusStarted();
+            return;
+        }
+    }
     if (event->key() == Qt::Key_Escape && m_pickMode) {
         Q_EMIT pickCancelled();
     }

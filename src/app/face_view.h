@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include <QLineF>
 #include <QOpenGLWidget>
+#include <QVector>
 
 #include "myoface/mesh/bvh.h"
 #include "myoface/scene/camera.h"
@@ -16,7 +18,13 @@ namespace myoface {
 class Renderer;
 
 /// What the left mouse button does on the skin.
-enum class Tool { Navigate, Shape, Feel };
+enum class Tool { Navigate, Shape, Feel, Volume, Protect };
+
+/// A cut through the face at the hand, seen from the side [mm]: to the right is towards the viewer.
+struct DepthInset {
+    QVector<QLineF> before, now, bone;
+    QPointF point;
+};
 
 /// The 3D view: draws a FaceScene and turns mouse and keys into camera moves and grips. It never
 /// changes the face itself.
@@ -43,6 +51,11 @@ public:
     /// Turns the camera so that a place on the skin is seen from before it, if it is not.
     void bringIntoView(const Vec3& point);
 
+    /// Drawn in a corner while there is one.
+    void setInset(std::optional<DepthInset> inset) { m_inset = std::move(inset); }
+    /// A closed line on the skin around a place [mm].
+    std::vector<Vec3> ringOnSkin(const SurfacePoint& where, double radius);
+
     const Camera& camera() const { return m_camera; }
     void showStandardView(const QString& name);
     void frameFace(const Vec3& centre, double radius);
@@ -54,6 +67,16 @@ Q_SIGNALS:
     void gripped(const myoface::SurfacePoint& where, const myoface::ViewRay& ray);
     void pulled(const myoface::ViewRay& ray);
     void released(bool keep);
+    /// A click on the skin with the Volume tool, and a stroke with the Protect tool.
+    void placed(const myoface::SurfacePoint& where);
+    void brushed(const myoface::SurfacePoint& where);
+    /// Arrow keys: steps to the right and up; with Shift ten.
+    void nudged(double right, double up);
+    void mirrorToggled();
+    /// F, then the mouse to the right or left: by so many mm.
+    void radiusStarted();
+    void radiusMoved(double millimetres);
+    void radiusCancelled();
     void picked(const myoface::Vec3& point);
     void pickCancelled();
     /// The mouse rests over this line of sight, and over this place of the skin or none.
@@ -76,7 +99,7 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-    enum class Action { None, Orbit, Pan, Grip, MaybePick, Handle };
+    enum class Action { None, Orbit, Pan, Grip, MaybePick, Handle, MaybePlace, Brush, Radius };
 
     ViewRay rayAt(const QPointF& at) const;
     std::optional<RayHit> hitAt(const QPointF& at);
@@ -84,6 +107,9 @@ private:
     /// Number of the handle under a pixel that the skin does not hide, or -1.
     int handleAt(const QPointF& at);
     void releaseRenderer();
+    void drawInset();
+    bool beginOnSkin(const QPointF& at);
+    bool nudgeKey(const QKeyEvent& event);
 
     FaceScene* m_scene = nullptr;
     std::unique_ptr<Renderer> m_renderer;
@@ -99,6 +125,7 @@ private:
     SurfacePoint m_handleAt;
     bool m_handleMoved = false;
     QPointF m_last, m_pressed;
+    std::optional<DepthInset> m_inset;
     Vec3 m_homeCentre = Vec3::Zero();
     double m_homeRadius = 130.0;
 };

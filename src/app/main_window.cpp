@@ -33,6 +33,8 @@
 #include "open_job.h"
 #include "scan_frame_editor.h"
 #include "scan_panel.h"
+#include "shape_panel.h"
+#include "shape_tools.h"
 
 namespace myoface {
 namespace {
@@ -83,7 +85,6 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     m_worker->moveToThread(&m_thread);
     connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
     connect(m_worker, &SimulationWorker::snapshotReady, this, &MainWindow::showSnapshot);
-    connect(m_worker, &SimulationWorker::dragFinished, this, &MainWindow::dragFinished);
     connect(m_worker, &SimulationWorker::failed, this, &MainWindow::complain);
     m_thread.start();
 
@@ -91,6 +92,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     buildActions();
     connectView();
     connectFrameEditor();
+    connectShapeTools();
 
     connect(&m_document, &FaceDocument::rateChanged, this, [this](int muscle, double rate) {
         m_muscles->setRate(muscle, rate);
@@ -184,6 +186,10 @@ void MainWindow::buildDocks() {
     auto* landmarks =
         dock(tr("Landmarks"), QStringLiteral("landmarks"), m_landmarks, Qt::LeftDockWidgetArea);
     tabifyDockWidget(scan, landmarks);
+    m_shapePanel = new ShapePanel;
+    m_shapePanel->setMinimumWidth(250);
+    auto* shape = dock(tr("Shape"), QStringLiteral("shape"), m_shapePanel, Qt::LeftDockWidgetArea);
+    tabifyDockWidget(landmarks, shape);
     scan->raise();
     m_landmarkEditor = new LandmarkEditor(m_document, *m_view, *m_landmarks, this);
     connect(m_landmarkEditor, &LandmarkEditor::changed, this, &MainWindow::drawOver);
@@ -288,7 +294,12 @@ void MainWindow::buildActions() {
           ToolEntry{tr("Feel"),
                     tr("Constraint priority: a stress pulls at the skin, tissue holds it back, on "
                        "release it springs back (E)"),
-                    Tool::Feel, "E"}}) {
+                    Tool::Feel, "E"},
+          ToolEntry{tr("Volume"),
+                    tr("A click adds the volume that the Shape panel says, under the skin (R)"),
+                    Tool::Volume, "R"},
+          ToolEntry{tr("Protect"), tr("Left drag paints skin that gestures leave alone (T)"),
+                    Tool::Protect, "T"}}) {
         QAction* action = bar->addAction(entry.title);
         action->setCheckable(true);
         action->setToolTip(entry.tip);
@@ -326,7 +337,10 @@ void MainWindow::buildActions() {
             tr("<p><b>Left drag on skin</b>: shape or feel, as the tool says<br>"
                "<b>Left drag beside the face</b>, <b>Alt + left</b>, <b>middle</b>: turn<br>"
                "<b>Right drag</b>, <b>Shift + middle</b>: pan · <b>Wheel</b>: zoom<br>"
-               "<b>Q W E</b>: turn, shape, feel · <b>Ctrl+1, 3, 5, 7</b>: standard views<br>"
+               "<b>Q W E R T</b>: turn, shape, feel, volume, protect<br>"
+               "<b>F</b>: radius of the grip · <b>X</b>: both sides · <b>Arrows</b>: 0.1 mm, with "
+               "Shift 1 mm<br>"
+               "<b>Ctrl+1, 3, 5, 7</b>: standard views<br>"
                "<b>Space</b>: hold to see the scan as it came · <b>Home</b>: whole head<br>"
                "<b>Esc</b>: give up the gesture · <b>Ctrl+Z, Ctrl+Shift+Z</b>: undo, redo<br>"
                "<b>Double click on a slider</b>: muscle at rest</p>"));
@@ -335,21 +349,6 @@ void MainWindow::buildActions() {
 }
 
 void MainWindow::connectView() {
-    connect(m_view, &FaceView::gripped, this,
-            [this](const SurfacePoint& where, const ViewRay& ray) {
-                DragRequest request;
-                request.where = where;
-                request.mode = m_view->tool() == Tool::Feel ? DragMode::ConstraintPriority
-                                                            : DragMode::MousePriority;
-                inWorker([request, ray](SimulationWorker& w) { w.beginDrag(request, ray); });
-            });
-    connect(m_view, &FaceView::pulled, this, [this](const ViewRay& ray) {
-        inWorker([ray](SimulationWorker& w) { w.moveDrag(ray); });
-    });
-    connect(m_view, &FaceView::released, this, [this](bool keep) {
-        const bool shape = m_view->tool() == Tool::Shape;
-        inWorker([keep, shape](SimulationWorker& w) { w.endDrag(keep && shape); });
-    });
     connect(m_view, &FaceView::hovered, this, &MainWindow::nameWhatIsThere);
     connect(m_view, &FaceView::picked, this, [this](const Vec3& point) {
         if (m_frameEditor->calibrating()) {
@@ -366,6 +365,23 @@ void MainWindow::connectView() {
     });
     connect(m_view, &FaceView::beforeHeld, this, &MainWindow::showBefore);
     connect(m_view, &FaceView::drawingFailed, this, &MainWindow::complain);
+}
+
+void MainWindow::connectShapeTools() {
+    m_shapeTools = new ShapeTools(
+        m_document, *m_view, *m_shapePanel,
+        [this](const std::function<void(SimulationWorker&)>& call) { inWorker(call); }, this);
+    connect(m_shapeTools, &ShapeTools::changed, this, &MainWindow::drawOver);
+    connect(m_shapeTools, &ShapeTools::message, this,
+            [this](const QString& sentence) { statusBar()->showMessage(sentence, 8000); });
+    connect(m_worker, &SimulationWorker::dragFinished, this,
+            [this](const std::shared_ptr<const DragOutcome>& outcome) {
+                m_shapeTools->finished(*outcome);
+            });
+    connect(m_worker, &SimulationWorker::refused, this, [this](const QString& sentence) {
+        m_shapeTools->refused(sentence);
+        statusBar()->showMessage(sentence, 12000);
+    });
 }
 
 void MainWindow::connectFrameEditor() {
@@ -457,6 +473,7 @@ void MainWindow::showFace(OpenResult& result) {
     const OpenedFace& face = *result.opened;
     m_frameEditor->setFace(result.opened);
     m_view->setScene(nullptr);
+    m_shapeTools->setScene(nullptr);
     m_shown.reset();
     std::shared_ptr<const FaceModel> model;
     if (result.simulator) {
@@ -498,6 +515,7 @@ void MainWindow::showFace(OpenResult& result) {
     m_scene->set_layers(m_layers->layers());
     m_scene->cut_away(m_layers->cutAway());
     m_view->setScene(m_scene.get());
+    m_shapeTools->setScene(m_scene.get());
     const auto [centre, radius] = faceSphere(face);
     m_view->showStandardView(QStringLiteral("front"));
     m_view->frameFace(centre, radius);
@@ -610,32 +628,13 @@ void MainWindow::showSnapshot() {
     SceneData& scene = m_scene->scene();
     scene.markers.clear();
     scene.strokes = {};
-    if (snapshot->dragging && snapshot->report.drag) {
-        const DragReport& drag = *snapshot->report.drag;
-        scene.markers.push_back({drag.reached.cast<float>(), {0.35F, 0.78F, 1.0F}, 6.0F});
-        if (drag.off_ray_mm > 0.3) {
-            // The gap between hand and skin.
-            scene.markers.push_back({drag.target.cast<float>(), {1.0F, 0.72F, 0.25F}, 4.0F});
-            scene.strokes.positions.resize(3, 2);
-            scene.strokes.positions << drag.reached.cast<float>(), drag.target.cast<float>();
-            scene.strokes.colours.resize(3, 2);
-            scene.strokes.colours.colwise() = Eigen::Vector3f(1.0F, 0.72F, 0.25F);
-            scene.strokes.indices = {0, 1};
-        }
-        const QString newtons = QString::number(drag.force_mN / 1000.0, 'f', 1);
-        const QString gap = QString::number(drag.off_ray_mm, 'f', 1);
-        if (drag.mode == DragMode::ConstraintPriority) {
-            m_state->setText(tr("pull %1 N · %2 mm behind the hand").arg(newtons, gap));
-        } else if (drag.off_ray_mm > 0.3) {
-            m_state->setText(tr("hold %1 N · bone holds back %2 mm").arg(newtons, gap));
-        } else {
-            m_state->setText(tr("hold %1 N").arg(newtons));
-        }
-    } else {
-        m_state->setText(tr("largest move %1 mm · %2")
-                             .arg(snapshot->report.max_displacement_mm, 0, 'f', 1)
-                             .arg(snapshot->report.converged ? tr("at rest") : tr("moving")));
-    }
+    m_shapeTools->draw(scene, *snapshot);
+    const QString hand = m_shapeTools->words(*snapshot);
+    m_state->setText(!hand.isEmpty()
+                         ? hand
+                         : tr("largest move %1 mm · %2")
+                               .arg(snapshot->report.max_displacement_mm, 0, 'f', 1)
+                               .arg(snapshot->report.converged ? tr("at rest") : tr("moving")));
     m_landmarkEditor->draw(scene, snapshot->positions);
     m_view->update();
     if (snapshot->report.converged && !snapshot->dragging) {
@@ -651,6 +650,7 @@ void MainWindow::drawOver() {
     }
     m_scene->scene().markers.clear();
     m_scene->scene().strokes = {};
+    m_shapeTools->draw(m_scene->scene(), *m_shown);
     m_landmarkEditor->draw(m_scene->scene(), m_shown->positions);
     m_view->update();
 }
@@ -663,31 +663,17 @@ void MainWindow::showRefitted(FitJob& job) {
     m_nodes = system.model.node_count();
     m_shown.reset();
     m_view->setScene(nullptr);
+    m_shapeTools->setScene(nullptr);
     m_scene = std::make_unique<FaceScene>(job.model()->scan, m_document.opened()->texture);
     m_scene->set_face(job.model(), system.model.springs, system.chains);
     m_view->setSkin(job.model()->skin.mesh);
     m_view->setScene(m_scene.get());
+    m_shapeTools->setScene(m_scene.get());
     m_scene->set_layers(m_layers->layers());
     m_scene->cut_away(m_layers->cutAway());
     m_scanPanel->setFace(*m_document.opened(), job.model().get(), m_springs);
     auto holder = std::make_shared<std::unique_ptr<Simulator>>(std::move(job.simulator()));
     inWorker([holder](SimulationWorker& w) { w.setSimulator(std::move(*holder)); });
-}
-
-void MainWindow::dragFinished(const std::shared_ptr<const DragOutcome>& outcome) {
-    if (outcome->report.kept_share < 1.0) {
-        statusBar()->showMessage(
-            tr("The skin would have folded over itself: %1 % of the shape stay.")
-                .arg(100.0 * outcome->report.kept_share, 0, 'f', 0),
-            8000);
-    }
-    if (outcome->before.cols() != outcome->after.cols() || outcome->before == outcome->after) {
-        return;
-    }
-    const double moved =
-        std::sqrt((outcome->after - outcome->before).colwise().squaredNorm().maxCoeff());
-    m_document.undoStack()->push(new ReshapeCommand(m_document, outcome->before, outcome->after,
-                                                    tr("shape by %1 mm").arg(moved, 0, 'f', 1)));
 }
 
 void MainWindow::restMuscles() {

@@ -24,6 +24,8 @@ class MusclePanel;
 class OpenJob;
 class ScanFrameEditor;
 class ScanPanel;
+class ShapePanel;
+class ShapeTools;
 struct OpenResult;
 
 /// The only place where view, panels, document, undo and simulation meet.
@@ -42,6 +44,7 @@ public:
     FaceView& view() { return *m_view; }
     MusclePanel& muscles() { return *m_muscles; }
     LandmarkPanel& landmarks() { return *m_landmarks; }
+    ShapePanel& shape() { return *m_shapePanel; }
     /// At rest: nothing opens and the newest state has been shown.
     bool settled() const;
     const QString& lastProblem() const { return m_lastProblem; }
@@ -67,6 +70,7 @@ private:
     void buildDocks();
     void connectView();
     void connectFrameEditor();
+    void connectShapeTools();
     void endPicking();
     void askDistance(double measured);
     void reopen(const OpenOptions& options);
@@ -82,7 +86,6 @@ private:
     void showRefitted(FitJob& job);
     void drawOver();
     void showSnapshot();
-    void dragFinished(const std::shared_ptr<const DragOutcome>& outcome);
     void resetFace();
     void restMuscles();
     void pushExpression(std::vector<double> rates, const std::string& name, double intensity,
@@ -106,6 +109,8 @@ private:
     LandmarkGuide* m_guide = nullptr;
     LandmarkPanel* m_landmarks = nullptr;
     LandmarkEditor* m_landmarkEditor = nullptr;
+    ShapePanel* m_shapePanel = nullptr;
+    ShapeTools* m_shapeTools = nullptr;
     QLabel* m_state = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton* m_cancel = nullptr;

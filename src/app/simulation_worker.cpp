@@ -2,6 +2,7 @@
 #include "simulation_worker.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "myoface/base/error.h"
 
@@ -49,7 +50,13 @@ void SimulationWorker::setSkinRest(const Points& skinRest) {
 }
 
 void SimulationWorker::beginDrag(const DragRequest& request, const ViewRay& ray) {
-    guarded([&] { m_simulator->begin_drag(request, ray); });
+    guarded([&] {
+        try {
+            m_simulator->begin_drag(request, ray);
+        } catch (const InvalidInput& refusal) {
+            Q_EMIT refused(QString::fromUtf8(refusal.what()));
+        }
+    });
 }
 
 void SimulationWorker::moveDrag(const ViewRay& ray) {
@@ -70,6 +77,77 @@ void SimulationWorker::endDrag(bool keep) {
         outcome->after = m_simulator->skin_rest();
         Q_EMIT dragFinished(outcome);
     });
+}
+
+/// An edit of the shape; `action` fills in title and words.
+template <typename Action>
+void SimulationWorker::reshaped(const Action& action) {
+    guarded([&] {
+        auto outcome = std::make_shared<DragOutcome>();
+        outcome->before = m_simulator->skin_rest();
+        try {
+            action(*outcome);
+        } catch (const InvalidInput& refusal) {
+            Q_EMIT refused(QString::fromUtf8(refusal.what()));
+            return;
+        }
+        outcome->after = m_simulator->skin_rest();
+        Q_EMIT dragFinished(outcome);
+    });
+}
+
+void SimulationWorker::nudge(const DragRequest& request, const Vec3& way, const Vec3& view) {
+    reshaped([&](DragOutcome& outcome) {
+        m_simulator->settle();
+        const FaceModel& face = m_simulator->face();
+        const Points skin = m_simulator->state().positions.leftCols(face.node_count());
+        const Vec3 start = position({skin, face.skin.mesh.triangles}, request.where);
+        const double away = 300.0;  // [mm]
+        m_simulator->begin_drag(request, {start - away * view, view});
+        m_simulator->move_drag({start + way - away * view, view});
+        m_simulator->settle();
+        outcome.report = m_simulator->end_drag(true);
+        outcome.words = tr("Moved by %1 mm; the hand would have to hold %2 N.")
+                            .arg(way.norm(), 0, 'f', 1)
+                            .arg(outcome.report.force_mN / 1000.0, 0, 'f', 1);
+    });
+}
+
+void SimulationWorker::addVolume(const VolumeRequest& request) {
+    reshaped([&](DragOutcome& outcome) {
+        const VolumeReport report = add_volume(*m_simulator, request);
+        outcome.report.kept_share = report.kept_share;
+        outcome.title = tr("volume %1 mL").arg(report.ml, 0, 'f', 2);
+        outcome.words = tr("%1 mL, at %2 kPa in the middle.")
+                            .arg(report.ml, 0, 'f', 2)
+                            .arg(report.pressure_kPa, 0, 'f', 0);
+        for (const auto& [region, ml] : report.by_region) {
+            if (std::abs(ml) >= 0.02) {
+                outcome.words += tr("\n%1 %2 mL")
+                                     .arg(QString::fromStdString(region_name(region)))
+                                     .arg(ml, 0, 'f', 2);
+            }
+        }
+    });
+}
+
+void SimulationWorker::meetTarget(const TargetRequest& request) {
+    reshaped([&](DragOutcome& outcome) {
+        const TargetReport report = meet_target(*m_simulator, request);
+        const int decimals = request.measure.in_degrees() ? 1 : 2;
+        const QString measure = QString::fromStdString(request.measure.title);
+        outcome.title = tr("%1 %2").arg(measure).arg(report.reached, 0, 'f', 1);
+        outcome.words = tr("%1: %2 before, %3 now; %4 moved by %5 mm.")
+                            .arg(measure)
+                            .arg(report.before, 0, 'f', decimals)
+                            .arg(report.reached, 0, 'f', decimals)
+                            .arg(QString::fromStdString(report.landmark))
+                            .arg(report.moved_mm, 0, 'f', 1);
+    });
+}
+
+void SimulationWorker::setProtection(const Eigen::VectorXd& share) {
+    guarded([&] { m_simulator->set_protection(share); });
 }
 
 void SimulationWorker::setPace(double pace) {

@@ -9,14 +9,17 @@
 #include <QTimer>
 
 #include "myoface/sim/frame_governor.h"
+#include "myoface/sim/shaping.h"
 #include "myoface/sim/snapshot.h"
 
 namespace myoface {
 
-/// What came of a gesture in the window.
+/// What came of a gesture or of another edit of the shape.
 struct DragOutcome {
     DragReport report;
     Points before, after;  ///< resting skin
+    QString title;         ///< for the history; empty: a gesture
+    QString words;         ///< what was done, in numbers
 };
 
 /// Owns the simulator and lives in a thread of its own. Works in pieces of a few milliseconds while
@@ -35,6 +38,11 @@ public:
     void beginDrag(const DragRequest& request, const ViewRay& ray);
     void moveDrag(const ViewRay& ray);
     void endDrag(bool keep);
+    /// A gesture by numbers: the grabbed point goes by `way`, seen along `view`.
+    void nudge(const DragRequest& request, const Vec3& way, const Vec3& view);
+    void addVolume(const VolumeRequest& request);
+    void meetTarget(const TargetRequest& request);
+    void setProtection(const Eigen::VectorXd& share);
     /// @param pace of time, or 0: straight to rest
     void setPace(double pace);
 
@@ -42,6 +50,8 @@ Q_SIGNALS:
     void snapshotReady();
     void dragFinished(std::shared_ptr<const myoface::DragOutcome> outcome);
     void failed(const QString& sentence);
+    /// An edit that cannot be done; nothing has changed.
+    void refused(const QString& sentence);
 
 private:
     void wake();
@@ -49,6 +59,8 @@ private:
     void publish(const StepReport& report);
     template <typename Action>
     void guarded(const Action& action);
+    template <typename Action>
+    void reshaped(const Action& action);
 
     SnapshotBox& m_box;
     std::unique_ptr<Simulator> m_simulator;

@@ -7,6 +7,7 @@
 
 #include "myoface/base/error.h"
 #include "myoface/mesh/bvh.h"
+#include "myoface/scene/colour_map.h"
 #include "myoface/scene/face_scene.h"
 
 #include "commands.h"
@@ -145,10 +146,11 @@ void render(const Arguments& a) {
             distances(shown, a.heatmap, opened.scan->frame, opened.scan->mesh.vertices.cols());
         const double largest = *std::max_element(values.begin(), values.end());
         const double most = a.heatmap_max > 0.0 ? a.heatmap_max : std::max(largest, 1e-9);
-        for (double& value : values) {
-            value /= most;
+        Eigen::Matrix4Xf tint(4, static_cast<Eigen::Index>(values.size()));
+        for (std::size_t v = 0; v < values.size(); ++v) {
+            tint.col(static_cast<Eigen::Index>(v)) << colour_map(values[v] / most), 1.0F;
         }
-        scene.paint(values);
+        scene.tint(tint);
         std::fprintf(stderr, "Heat map: dark blue 0 mm to yellow %.2f mm.\n", most);
     }
     if (a.focus.empty()) {

@@ -12,7 +12,7 @@
 namespace myoface {
 namespace {
 
-enum Attribute : unsigned { kPosition, kNormal, kColour, kUv, kCavity };
+enum Attribute : unsigned { kPosition, kNormal, kColour, kUv, kCavity, kTint };
 
 unsigned compile(unsigned kind, const std::string& file) {
     const std::string text = read_file(resource_path(file));
@@ -108,7 +108,7 @@ void Renderer::initialise() {
     background_program_ = link("background");
     marker_program_ = link("marker");
     glGenVertexArrays(1, &empty_array_);
-    topology_ = motion_ = net_version_ = ~std::uint64_t{0};
+    topology_ = motion_ = net_version_ = tint_version_ = ~std::uint64_t{0};
 }
 
 void Renderer::release() {
@@ -119,7 +119,7 @@ void Renderer::release() {
     }
     for (Surface& s : surfaces_) {
         for (unsigned* buffer :
-             {&s.positions, &s.normals, &s.colours, &s.cavity, &s.uv, &s.indices}) {
+             {&s.positions, &s.normals, &s.colours, &s.cavity, &s.uv, &s.indices, &s.tint}) {
             glDeleteBuffers(1, buffer);
         }
         glDeleteTextures(1, &s.texture);
@@ -157,6 +157,7 @@ void Renderer::upload_fixed(Surface& surface, const SurfaceLayer& layer) {
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, layer.texture->width, layer.texture->height,
                      0, GL_RGBA, GL_UNSIGNED_BYTE, layer.texture->rgba.data());
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);  // as whoever draws after us expects it
         glGenerateMipmap(GL_TEXTURE_2D);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -199,7 +200,12 @@ void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int
         if (scene.springs.opacity > 0.0F) {
             upload(lines_[0], scene.springs);
         }
-        upload(lines_[1], scene.strokes);
+    }
+    upload(lines_[1], scene.strokes);
+    if (scene.topology != topology_ || scene.tint_version != tint_version_) {
+        need_array(surfaces_[kSkin].array);
+        fill(surfaces_[kSkin].tint, kTint, 4, scene.skin.tint, GL_DYNAMIC_DRAW);
+        tint_version_ = scene.tint_version;
     }
     if (scene.net_version != net_version_) {
         upload(lines_[2], scene.net);
@@ -279,6 +285,7 @@ void Renderer::draw_surface(const Surface& surface, const SurfaceLayer& layer) c
     set(skin_program_, "hasColours", surface.has_colours);
     set(skin_program_, "hasTexture", surface.texture != 0);
     glVertexAttrib1f(kCavity, 0.0F);
+    glVertexAttrib4f(kTint, 0.0F, 0.0F, 0.0F, 0.0F);
     if (surface.texture != 0) {
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, surface.texture);

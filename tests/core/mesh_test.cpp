@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "myoface/mesh/adjacency.h"
+#include "myoface/mesh/cross_section.h"
 #include "myoface/mesh/cut.h"
 #include "myoface/mesh/diffusion.h"
 #include "myoface/mesh/geodesic.h"
@@ -74,6 +75,19 @@ TEST(SignedVolume, OfASphereIsThatOfASphere) {
 
 TEST(VertexAreas, SumToTheSurface) {
     EXPECT_NEAR(vertex_areas(grid(11, 0.5)).sum(), 25.0, 1e-12);
+}
+
+TEST(CrossSection, OfASphereIsACircle) {
+    const TriangleMesh ball = sphere(10.0, 60, 90);
+    const auto cut = cross_section(ball, Vec3(0.0, 6.0, 0.0), Vec3(0.0, 2.0, 0.0));
+    double around = 0.0;
+    for (const auto& [a, b] : cut) {
+        EXPECT_NEAR(a.y(), 6.0, 1e-9);
+        EXPECT_NEAR(a.norm(), 10.0, 0.02);
+        around += (b - a).norm();
+    }
+    EXPECT_NEAR(around, 2.0 * std::numbers::pi * 8.0, 0.1);
+    EXPECT_TRUE(cross_section(ball, Vec3(0.0, 11.0, 0.0), Vec3::UnitY()).empty());
 }
 
 TEST(GeodesicDistances, AreExactAlongAStraightLineOfEdges) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "myoface/base/error.h"
+#include "myoface/measure/landmarks_on_skin.h"
 #include "myoface/measure/volume.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/mesh/normals.h"
@@ -82,10 +83,11 @@ TEST(Target, IsMetWithinHalfADegreeOrATenthOfAMillimetre) {
                              Wish{"nasolabial angle", 5.0}, Wish{"facial convexity", -3.0}}) {
         Simulator simulator(small_model());
         const Measure measure = target_measure(wish.measure);
-        const double before = *measured_now(simulator, measure);
+        const LandmarksOnSkin places(small_model());
+        const double before = *places.measure(measure, simulator.state().positions);
         TargetRequest request{measure, wish.by, true};
         const TargetReport report = meet_target(simulator, request);
-        const double now = *measured_now(simulator, measure);
+        const double now = *places.measure(measure, simulator.state().positions);
         EXPECT_NEAR(now, before + wish.by, measure.in_degrees() ? 0.5 : 0.1) << wish.measure;
         EXPECT_NEAR(report.reached, now, 1e-9);
         EXPECT_LE(report.settles, 6) << wish.measure;

@@ -14,10 +14,13 @@
 #include <gtest/gtest.h>
 
 #include "myoface/io/mesh_file.h"
+#include "myoface/measure/landmarks_on_skin.h"
+#include "myoface/measure/volume.h"
 
 #include "landmark_panel.h"
 #include "main_window.h"
 #include "muscle_panel.h"
+#include "shape_panel.h"
 #include "test_meshes.h"
 
 namespace myoface {
@@ -170,6 +173,107 @@ TEST_F(Window, FeelsWithoutKeeping) {
     ASSERT_TRUE(settle());
     EXPECT_EQ(window_.document().undoStack()->count(), 0);
     EXPECT_EQ(window_.document().skinRest(), before);
+}
+
+TEST_F(Window, ShapesInBothProjections) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    for (const bool orthographic : {false, true}) {
+        window_.view().setOrthographic(orthographic);
+        drag(pixel("ch_l"), {12, -9});
+        ASSERT_TRUE(settle());
+        EXPECT_EQ(window_.document().undoStack()->index(), 1);
+        window_.document().undoStack()->undo();
+        ASSERT_TRUE(settle());
+    }
+}
+
+TEST_F(Window, ShapesOnBothSidesWhenToldSo) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.view().setFocus();
+    QTest::keyClick(&window_.view(), Qt::Key_X);
+    EXPECT_TRUE(window_.shape().mirrored());
+    drag(pixel("ch_l"), {14, 0});
+    ASSERT_TRUE(settle());
+    const FaceModel& face = *window_.document().model();
+    const Points moved = window_.document().skinRest() - face.skin.mesh.vertices;
+    double left = 0.0;
+    double right = 0.0;
+    for (int i = 0; i < face.node_count(); ++i) {
+        double& side = face.generic(0, i) > 0.0 ? left : right;
+        side = std::max(side, moved.col(i).norm());
+    }
+    EXPECT_GT(left, 1.0);
+    EXPECT_NEAR(right, left, 0.25 * left);
+}
+
+TEST_F(Window, AddsAVolumeByAClickAndTakesItBack) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.view().setTool(Tool::Volume);
+    QSignalSpy changed(&window_.document(), &FaceDocument::skinRestChanged);
+    QWindow* native = window_.windowHandle();
+    QTest::mouseClick(native, Qt::LeftButton, {}, window_.view().mapTo(&window_, pixel("pg")));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return window_.document().undoStack()->count() == 1; }, kPatience));
+    const FaceModel& face = *window_.document().model();
+    EXPECT_NEAR(swept_volume(face.skin.mesh.triangles, face.skin.mesh.vertices,
+                             window_.document().skinRest()),
+                500.0, 15.0);  // half a millilitre
+    EXPECT_TRUE(window_.document().undoStack()->undoText().contains("mL"));
+    window_.document().undoStack()->undo();
+    EXPECT_EQ(window_.document().skinRest(), face.skin.mesh.vertices);
+}
+
+TEST_F(Window, NudgesTheLastGripByTheArrowKeys) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    drag(pixel("prn"), {0, -4});
+    ASSERT_TRUE(settle());
+    const int before = window_.document().undoStack()->count();
+    ASSERT_EQ(before, 1);
+    const Points shaped = window_.document().skinRest();
+    QTest::keyClick(&window_.view(), Qt::Key_Up, Qt::ShiftModifier);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return window_.document().undoStack()->count() == before + 1; }, kPatience));
+    const Points moved = window_.document().skinRest() - shaped;
+    EXPECT_NEAR(moved.row(1).maxCoeff(), 1.0, 0.15);  // ten steps of 0.1 mm, upwards
+}
+
+TEST_F(Window, ShapesUntilAMeasureIsMetOrSaysWhyNot) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    auto* target = window_.shape().findChild<QDoubleSpinBox*>("target");
+    auto* meet = window_.shape().findChild<QPushButton*>("meet");
+    ASSERT_TRUE(target && meet);
+    const double before = target->value();
+    target->setValue(before - 2.0);  // tip projection
+    meet->click();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return window_.document().undoStack()->count() == 1; }, kPatience));
+    const LandmarksOnSkin places(window_.document().model());
+    const Points& rest = window_.document().skinRest();
+    EXPECT_NEAR(*places.measure(target_measure("tip projection"), rest), before - 2.0, 0.1);
+    target->setValue(before + 45.0);
+    meet->click();
+    auto* words = window_.shape().findChild<QLabel*>("words");
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return words->text().contains("tip projection stays"); }, kPatience));
+    EXPECT_EQ(window_.document().undoStack()->count(), 1);
+}
+
+TEST_F(Window, ProtectedSkinIsNotGripped) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.view().setTool(Tool::Protect);
+    drag(pixel("prn"), {6, 0});
+    window_.view().setTool(Tool::Shape);
+    drag(pixel("prn"), {0, -20});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window_.document().undoStack()->count(), 0);
+    auto* words = window_.shape().findChild<QLabel*>("words");
+    EXPECT_TRUE(words->text().contains("protected"));
 }
 
 TEST_F(Window, TurnsTheHeadBesideTheFaceAndWithTheMiddleButton) {

@@ -29,8 +29,11 @@ public:
     void set_layers(const LayerOpacity& layers);
     /// Takes the skin away from the patient's left side on. @param share 0 nothing … 1 all of it
     void cut_away(double share);
-    /// Paints the skin with values 0 … 1 per scan vertex by colour_map(); empty: its own look.
-    void paint(const std::vector<double>& values);
+    /// Covers the skin with colours, 4×vertices of the scan: red, green, blue and how much they
+    /// cover; 4×0: its own look.
+    void tint(const Eigen::Matrix4Xf& of_vertices);
+    /// The same from colours per skin node.
+    void tint_nodes(const Eigen::Matrix4Xf& of_nodes);
 
     /// Draws the parts of the scan beside the one that holds the face, or leaves them out.
     void show_loose_parts(bool shown);
@@ -54,7 +57,6 @@ private:
     std::vector<MuscleChain> chains_;
     SkinDrawing drawing_;
     std::unique_ptr<FollowingScan> following_;
-    FloatPoints own_colours_;
     FloatPoints rest_normals_;  ///< 3×vertices of the scan
     Points last_nodes_;
     Points turned_;            ///< 3×vertices: loose parts where the mandible has them

@@ -19,6 +19,7 @@ struct SurfaceLayer {
     FloatPoints positions;   ///< 3×N [mm]
     FloatPoints normals;     ///< 3×N unit
     FloatPoints colours;     ///< 3×N, or 3×0 for `plain_colour`
+    Eigen::Matrix4Xf tint;   ///< 4×N: colour times cover, and cover 0 … 1; or 4×0
     Eigen::VectorXf cavity;  ///< N, 0 open … 1 deep in a fold; or empty
     Eigen::Matrix2Xf uv;     ///< 2×N with `texture`, else 2×0
     std::shared_ptr<const Image> texture;
@@ -61,6 +62,7 @@ struct SceneData {
     Vec3 centre = Vec3::Zero();
     double radius = 200.0;  ///< of everything visible around the centre [mm]
     std::uint64_t net_version = 0;
+    std::uint64_t tint_version = 0;  ///< of the skin's tint
     std::uint64_t topology = 0;
     std::uint64_t motion = 0;
 };

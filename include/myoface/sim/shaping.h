@@ -47,11 +47,6 @@ std::vector<Measure> target_measures();
 /// By id or title, in any case of letters. @throws InvalidInput that lists them
 Measure target_measure(const std::string& name);
 
-/// The landmarks on the face as it stands: each goes with the skin around it.
-Landmarks landmarks_now(const Simulator& simulator);
-/// A measure of the face as it stands; projections are taken along the face's own axes.
-std::optional<double> measured_now(const Simulator& simulator, const Measure& measure);
-
 /// Moves a landmark of the measure, on both sides where it has two, the way that changes the
 /// measure most, until the measure is met; tissue follows as for a gesture, and the shape stays.
 /// The face is left as it was when that cannot be done.

@@ -13,7 +13,6 @@ FaceScene::FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const Ski
     : scan_(std::move(scan)), texture_(std::move(texture)), drawing_(*scan_) {
     drawing_.fill(scene_.skin, *scan_, texture_.get());
     scene_.skin.texture = picture();
-    own_colours_ = scene_.skin.colours;
     rest_normals_ = scene_.skin.normals.leftCols(scan_->mesh.vertex_count());
     const Points& v = scan_->mesh.vertices;
     scene_.centre = 0.5 * (v.rowwise().maxCoeff() + v.rowwise().minCoeff());
@@ -255,20 +254,37 @@ void FaceScene::set_layers(const LayerOpacity& layers) {
     }
 }
 
-void FaceScene::paint(const std::vector<double>& values) {
-    SurfaceLayer& skin = scene_.skin;
-    if (values.empty()) {
-        skin.colours = own_colours_;
-        skin.texture = picture();
+void FaceScene::tint(const Eigen::Matrix4Xf& of_vertices) {
+    Eigen::Matrix4Xf& tint = scene_.skin.tint;
+    if (of_vertices.cols() == 0) {
+        tint.resize(4, 0);
     } else {
-        skin.texture = nullptr;
-        skin.colours.resize(3, drawing_.drawn_count());
+        tint.resize(4, drawing_.drawn_count());
         for (int i = 0; i < drawing_.drawn_count(); ++i) {
-            skin.colours.col(i) =
-                colour_map(values[static_cast<std::size_t>(drawing_.scan_vertex(i))]);
+            tint.col(i) = of_vertices.col(drawing_.scan_vertex(i));
+            tint.col(i).head<3>() *= tint(3, i);  // so that it fades evenly between vertices
         }
     }
-    ++scene_.topology;
+    ++scene_.tint_version;
+}
+
+void FaceScene::tint_nodes(const Eigen::Matrix4Xf& of_nodes) {
+    if (!face_ || of_nodes.cols() == 0) {
+        tint({});
+        return;
+    }
+    const SimulatedSkin& skin = face_->skin;
+    Eigen::Matrix4Xf of_vertices = Eigen::Matrix4Xf::Zero(4, skin.between.cols());
+    Eigen::Matrix4Xf even = of_nodes;
+    even.topRows<3>().array().rowwise() *= of_nodes.row(3).array();
+    for (Eigen::Index v = 0; v < skin.between.cols(); ++v) {
+        for (int k = 0; k < 3 && skin.between(k, v) >= 0; ++k) {
+            const bool alone = skin.between(1, v) < 0;
+            of_vertices.col(v) += (alone ? 1.0F : skin.shares(k, v)) * even.col(skin.between(k, v));
+        }
+        of_vertices.col(v).head<3>() /= std::max(of_vertices(3, v), 1e-6F);
+    }
+    tint(of_vertices);
 }
 
 }  // namespace myoface

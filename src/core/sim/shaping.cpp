@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "myoface/base/error.h"
+#include "myoface/measure/landmarks_on_skin.h"
 #include "myoface/measure/volume.h"
 #include "myoface/mesh/bvh.h"
 
@@ -86,11 +87,9 @@ std::string movable(const Measure& measure) {
 }
 
 /// How a measure changes with its movable landmark; both sides move alike, mirrored.
-Vec3 slope(const Simulator& simulator, const Measure& measure, const std::string& landmark,
-           bool paired) {
+Vec3 slope(const Landmarks& here, const Mat3& axes, const Measure& measure,
+           const std::string& landmark, bool paired) {
     constexpr double kStep = 0.05;  // [mm]
-    const Landmarks here = landmarks_now(simulator);
-    const Mat3& axes = simulator.face().axes;
     Vec3 result = Vec3::Zero();
     for (int axis = 0; axis < 3; ++axis) {
         if (!paired && axis == 0) {
@@ -213,40 +212,14 @@ Measure target_measure(const std::string& name) {
     throw InvalidInput("'" + name + "' is not a measure; known are " + known + ".");
 }
 
-Landmarks landmarks_now(const Simulator& simulator) {
-    const FaceModel& face = simulator.face();
-    const TriangleMesh& scan = face.skin.mesh;
-    const TriangleMesh now{simulator.state().positions.leftCols(face.node_count()), scan.triangles};
-    const Bvh bvh(scan);
-    Landmarks landmarks = face.landmarks;
-    for (auto& [name, landmark] : landmarks) {
-        const SurfacePoint where = bvh.closest_point(scan, landmark.position).where;
-        landmark.position += position(now, where) - position(scan, where);
-    }
-    return landmarks;
-}
-
-std::optional<double> measured_now(const Simulator& simulator, const Measure& measure) {
-    if (measure.kind != MeasureKind::Projection) {
-        return measured(measure, landmarks_now(simulator));
-    }
-    // Along the axes that the face had: they must not turn with the chin.
-    const Landmarks& scan = simulator.face().landmarks;
-    const Landmarks now = landmarks_now(simulator);
-    if (scan.count("n") == 0 || now.count(measure.points[0]) == 0) {
-        return std::nullopt;
-    }
-    return (now.at(measure.points[0]).position - scan.at("n").position)
-        .dot(simulator.face().axes.col(2));
-}
-
 TargetReport meet_target(Simulator& simulator, const TargetRequest& request) {
     const Measure& measure = request.measure;
     const bool degrees = measure.in_degrees();
     const FaceModel& face = simulator.face();
     Undo undo(simulator);
     simulator.settle();
-    const std::optional<double> before = measured_now(simulator, measure);
+    const LandmarksOnSkin places(simulator.shared_face());
+    const std::optional<double> before = places.measure(measure, simulator.state().positions);
     if (!before) {
         throw InvalidInput("Target: landmarks of " + measure.title + " are missing on this face.");
     }
@@ -255,11 +228,13 @@ TargetReport meet_target(Simulator& simulator, const TargetRequest& request) {
     report.wanted = request.relative ? *before + request.value : request.value;
     report.landmark = movable(measure);
     const double tolerance = degrees ? kOffDegrees : kOffMillimetres;
-    const bool paired = face.landmarks.count(report.landmark) == 0;
+    const Landmarks here = places.at(simulator.state().positions);
+    const bool paired = here.count(report.landmark) == 0;
     const std::string own = report.landmark + (paired ? "_l" : "");
     const Vec3 steep = measure.kind == MeasureKind::Projection
                            ? Vec3(face.axes.col(2))
-                           : slope(simulator, measure, report.landmark, paired);
+                           : slope(places.at(simulator.state().positions), face.axes, measure,
+                                   report.landmark, paired);
     if (!(steep.norm() > 1e-3)) {
         throw InvalidInput("Target: " + measure.title + " does not change when " + report.landmark +
                            " moves.");
@@ -272,8 +247,7 @@ TargetReport meet_target(Simulator& simulator, const TargetRequest& request) {
     DragRequest drag;
     const TriangleMesh now{simulator.state().positions.leftCols(face.node_count()),
                            face.skin.mesh.triangles};
-    drag.where =
-        Bvh(face.skin.mesh).closest_point(face.skin.mesh, face.landmarks.at(own).position).where;
+    drag.where = Bvh(now).closest_point(now, here.at(own).position).where;
     drag.radius = request.radius;
     drag.mirrored = paired;
     const Vec3 start = position(now, drag.where);
@@ -287,7 +261,7 @@ TargetReport meet_target(Simulator& simulator, const TargetRequest& request) {
         step = simulator.settle();
         ++report.settles;
         report.force_mN = step.drag->force_mN;
-        return measured_now(simulator, measure).value_or(*before);
+        return places.measure(measure, simulator.state().positions).value_or(*before);
     };
     const auto refuse = [&](const std::string& why) {
         throw InvalidInput("Target: " + measure.title + " stays at " +
@@ -328,7 +302,7 @@ TargetReport meet_target(Simulator& simulator, const TargetRequest& request) {
         refuse("the skin would fold over itself.");
     }
     undo.release();
-    report.reached = measured_now(simulator, measure).value_or(report.reached);
+    report.reached = places.measure(measure, simulator.state().positions).value_or(report.reached);
     return report;
 }
 
