@@ -90,7 +90,10 @@ int main(int argc, char** argv) {
                                   QStringLiteral("name"));
     const QCommandLineOption landmarks(QStringLiteral("landmarks-panel"),
                                        QObject::tr("show landmarks and fitted head"));
-    parser.addOptions({screenshot, muscle, expression, layers, view, landmarks});
+    const QCommandLineOption panel(
+        QStringLiteral("panel"), QObject::tr("layers, scan, landmarks, shape or muscles in front"),
+        QStringLiteral("name"));
+    parser.addOptions({screenshot, muscle, expression, layers, view, landmarks, panel});
     parser.process(application);
 
     if (!hasOpenGl()) {
@@ -148,6 +151,9 @@ int main(int argc, char** argv) {
             }
             if (parser.isSet(landmarks)) {
                 window.showLandmarks();
+            }
+            if (parser.isSet(panel)) {
+                window.showPanel(parser.value(panel));
             }
             if (parser.isSet(view)) {
                 window.view().showStandardView(parser.value(view));

@@ -779,13 +779,15 @@ void MainWindow::setLayers(const LayerOpacity& layers) {
     m_view->update();
 }
 
-void MainWindow::showLandmarks() {
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-        if (dock->widget() == m_landmarks) {
-            dock->show();
-            dock->raise();
-        }
+void MainWindow::showPanel(const QString& name) {
+    if (auto* dock = findChild<QDockWidget*>(name)) {
+        dock->show();
+        dock->raise();
     }
+}
+
+void MainWindow::showLandmarks() {
+    showPanel(QStringLiteral("landmarks"));
     m_landmarks->showAll();
 }
 

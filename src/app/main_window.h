@@ -54,6 +54,8 @@ public:
     void setLayers(const LayerOpacity& layers);
     /// Brings the landmarks panel to the front, markers and fitted net on.
     void showLandmarks();
+    /// Brings a panel to the front: layers, scan, landmarks, shape, muscles.
+    void showPanel(const QString& name);
 
 Q_SIGNALS:
     void opened();
