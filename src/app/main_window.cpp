@@ -31,6 +31,7 @@
 #include "layer_panel.h"
 #include "muscle_panel.h"
 #include "open_job.h"
+#include "report_export.h"
 #include "scan_frame_editor.h"
 #include "scan_panel.h"
 #include "shape_panel.h"
@@ -93,6 +94,12 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     connectView();
     connectFrameEditor();
     connectShapeTools();
+    m_report = new ReportExport(this);
+    connect(m_report, &ReportExport::written, this, [this](const QString& file) {
+        statusBar()->showMessage(tr("Written: %1").arg(file), 8000);
+        Q_EMIT reportWritten(file);
+    });
+    connect(m_report, &ReportExport::failed, this, &MainWindow::complain);
 
     connect(&m_document, &FaceDocument::rateChanged, this, [this](int muscle, double rate) {
         m_muscles->setRate(muscle, rate);
@@ -224,6 +231,7 @@ void MainWindow::buildActions() {
     add(file, tr("&Save case…"), QKeySequence::Save, [this] { saveCase(); });
     add(file, tr("&Export face…"), QKeySequence(tr("Ctrl+E")), [this] { saveScan(); });
     add(file, tr("Export p&icture…"), QKeySequence(tr("Ctrl+Shift+E")), [this] { savePicture(); });
+    add(file, tr("Export &report…"), QKeySequence(tr("Ctrl+R")), [this] { saveReport(); });
     file->addSeparator();
     add(file, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 
@@ -599,6 +607,35 @@ void MainWindow::saveCase() {
         m_document.undoStack()->setClean();
         rememberRecent(path);
         statusBar()->showMessage(tr("Saved: %1").arg(path), 6000);
+    } catch (const Error& error) {
+        complain(QString::fromUtf8(error.what()));
+    }
+}
+
+void MainWindow::saveReport() {
+    if (!m_document.model() || m_report->running()) {
+        return;
+    }
+    QString path = QFileDialog::getSaveFileName(
+        this, tr("Export a report"), QFileInfo(m_path).absolutePath(), tr("PDF (*.pdf)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (QFileInfo(path).suffix().isEmpty()) {
+        path += QStringLiteral(".pdf");
+    }
+    bool accepted = false;
+    const QString notes = QInputDialog::getMultiLineText(
+        this, tr("Export a report"), tr("Notes at the end of the report:"), {}, &accepted);
+    if (accepted) {
+        exportReport(path, notes);
+    }
+}
+
+void MainWindow::exportReport(const QString& path, const QString& notes) {
+    try {
+        m_report->start(m_document, path, {}, notes);
+        statusBar()->showMessage(tr("Writing the report…"));
     } catch (const Error& error) {
         complain(QString::fromUtf8(error.what()));
     }

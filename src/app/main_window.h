@@ -23,6 +23,7 @@ class LayerPanel;
 class MusclePanel;
 class OpenJob;
 class ScanFrameEditor;
+class ReportExport;
 class ScanPanel;
 class ShapePanel;
 class ShapeTools;
@@ -52,6 +53,8 @@ public:
     /// Adds an expression to what the muscles do. @throws InvalidInput for an unknown name
     void addExpression(const std::string& name, double intensity);
     void setLayers(const LayerOpacity& layers);
+    /// Writes a report of the face as it stands, beside the window.
+    void exportReport(const QString& path, const QString& notes);
     /// Brings the landmarks panel to the front, markers and fitted net on.
     void showLandmarks();
     /// Brings a panel to the front: layers, scan, landmarks, shape, muscles.
@@ -61,6 +64,7 @@ Q_SIGNALS:
     void opened();
     void openFailed(const QString& sentence);
     void cameToRest();
+    void reportWritten(const QString& file);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -83,6 +87,7 @@ private:
     void chooseLandmarks();
     void saveScan();
     void saveCase();
+    void saveReport();
     void savePicture();
     void landmarksPlaced();
     void showRefitted(FitJob& job);
@@ -113,6 +118,7 @@ private:
     LandmarkEditor* m_landmarkEditor = nullptr;
     ShapePanel* m_shapePanel = nullptr;
     ShapeTools* m_shapeTools = nullptr;
+    ReportExport* m_report = nullptr;
     QLabel* m_state = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton* m_cancel = nullptr;

@@ -271,6 +271,64 @@ TEST(Help, IsThere) {
     EXPECT_NE(cli("simulate --help").out.find("--drag"), std::string::npos);
 }
 
+TEST(Simulate, ShapesByVolumeAndTarget) {
+    const std::string report = (face().folder / "shape.json").string();
+    const Outcome outcome = cli(
+        "simulate " + face().scan +
+        " --protect 'at=prn; radius=8' --volume 'at=pg; ml=0.5' --target 'nasal width by -2' -o " +
+        (face().folder / "shape.obj").string() + " --report " + report);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(read_file(report));
+    EXPECT_NEAR(json["volumes"][0]["ml"].get<double>(), 0.5, 0.01);
+    const auto& target = json["targets"][0];
+    EXPECT_EQ(target["landmark"], "al");
+    EXPECT_NEAR(target["reached"].get<double>() - target["before"].get<double>(), -2.0, 0.1);
+    EXPECT_GT(json["shape_ml"]["chin"].get<double>(), 0.2);
+    const std::string rest = " -o " + (face().folder / "no.obj").string();
+    expect_refusal("simulate " + face().scan + " --target 'chin projection by 60'" + rest, 1,
+                   "chin projection stays at");
+    expect_refusal("simulate " + face().scan + " --target 'beauty=9'" + rest, 1,
+                   "is not a measure");
+    expect_refusal("simulate " + face().scan + " --volume 'at=pg; ml=500'" + rest, 1,
+                   "between -20 and 20 mL");
+    expect_refusal("simulate " + face().scan + " --solver explicit --seconds 1" + rest, 1,
+                   "--seconds");
+}
+
+TEST(Simulate, StopsInTime) {
+    const auto largest = [&](const std::string& more) {
+        const std::string report = (face().folder / "time.json").string();
+        const Outcome outcome =
+            cli("simulate " + face().scan + " --muscle zygomaticus_major=1 " + more + " -o " +
+                (face().folder / "time.obj").string() + " --report " + report);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return nlohmann::json::parse(read_file(report))["max_displacement_mm"].get<double>();
+    };
+    const double rest = largest("");
+    EXPECT_GT(std::abs(largest("--seconds 0.017") - rest), 0.05);  // it still swings
+    EXPECT_NEAR(largest("--seconds 2"), rest, 0.05);
+}
+
+TEST(Report, IsAPdfOfACase) {
+    const std::string saved = (face().folder / "report.myoface").string();
+    ASSERT_EQ(cli("fit " + face().scan + " -o " + saved).code, 0);
+    const auto pdf = face().folder / "report.pdf";
+    const Outcome outcome = cli("report " + saved + " --drag 'at=prn; view=left; move=0,2'" +
+                                " --patient P-1 --notes 'tip raised' -o " + pdf.string());
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string bytes = read_file(pdf);
+    EXPECT_EQ(bytes.substr(0, 5), "%PDF-");
+    EXPECT_GT(bytes.size(), 50000U);  // its pictures
+    std::size_t pages = 0;
+    for (std::size_t at = bytes.find("/Type /Page\n"); at != std::string::npos;
+         at = bytes.find("/Type /Page\n", at + 1)) {
+        ++pages;
+    }
+    EXPECT_EQ(pages, 2U);
+    expect_refusal("report " + saved + " -o report.txt", 1, "written as .pdf");
+    expect_refusal("report " + saved + " --logo none.png -o " + pdf.string(), 1, "none.png");
+}
+
 TEST(Render, DrawsWithoutADisplay) {
     const std::string png = (face().folder / "r.png").string();
     const Outcome outcome =

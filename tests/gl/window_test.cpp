@@ -276,6 +276,19 @@ TEST_F(Window, ProtectedSkinIsNotGripped) {
     EXPECT_TRUE(words->text().contains("protected"));
 }
 
+TEST_F(Window, WritesAReportBesideTheWindow) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    const QString file = QString::fromStdString((folder_ / "report.pdf").string());
+    QSignalSpy written(&window_, &MainWindow::reportWritten);
+    window_.exportReport(file, "tip and chin");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 1; }, kPatience))
+        << window_.lastProblem().toStdString();
+    QFile pdf(file);
+    ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
+    EXPECT_EQ(pdf.read(5), QByteArray("%PDF-"));
+}
+
 TEST_F(Window, TurnsTheHeadBesideTheFaceAndWithTheMiddleButton) {
     open(path_);
     const auto start = window_.view().camera().orientation;
