@@ -336,7 +336,7 @@ void FaceView::mouseReleaseEvent(QMouseEvent* event) {
             Q_EMIT handleDropped(m_handle, m_handleAt);
         }
     } else if (action == Action::Grip) {
-        Q_EMIT released(true);
+        Q_EMIT released(true, (event->modifiers() & Qt::ShiftModifier) != 0);
     } else if (action == Action::MaybePlace) {
         if (const auto hit = hitAt(event->localPos())) {
             Q_EMIT placed(hit->where);
@@ -418,7 +418,7 @@ void FaceView::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && m_action == Action::Grip) {
         m_action = Action::None;
         updateCursor(false);
-        Q_EMIT released(false);
+        Q_EMIT released(false, false);
     } else if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
         Q_EMIT beforeHeld(true);
     } else if (event->key() == Qt::Key_Home) {

@@ -66,7 +66,8 @@ public:
 Q_SIGNALS:
     void gripped(const myoface::SurfacePoint& where, const myoface::ViewRay& ray);
     void pulled(const myoface::ViewRay& ray);
-    void released(bool keep);
+    /// @param otherwise Shift was held: keep what would spring back
+    void released(bool keep, bool otherwise);
     /// A click on the skin with the Volume tool, and a stroke with the Protect tool.
     void placed(const myoface::SurfacePoint& where);
     void brushed(const myoface::SurfacePoint& where);

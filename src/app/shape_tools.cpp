@@ -61,9 +61,9 @@ ShapeTools::ShapeTools(FaceDocument& document, FaceView& view, ShapePanel& panel
     connect(&view, &FaceView::pulled, this, [this](const ViewRay& ray) {
         m_inWorker([ray](SimulationWorker& w) { w.moveDrag(ray); });
     });
-    connect(&view, &FaceView::released, this, [this](bool keep) {
-        const bool shape = m_view.tool() == Tool::Shape;
-        m_inWorker([keep, shape](SimulationWorker& w) { w.endDrag(keep && shape); });
+    connect(&view, &FaceView::released, this, [this](bool keep, bool otherwise) {
+        const bool stays = m_view.tool() == Tool::Shape || otherwise;
+        m_inWorker([keep, stays](SimulationWorker& w) { w.endDrag(keep && stays); });
     });
     connect(&view, &FaceView::hovered, this,
             [this](const ViewRay&, const std::optional<SurfacePoint>& where) { hover(where); });

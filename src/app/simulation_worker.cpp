@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "myoface/base/error.h"
+#include "myoface/measure/volume.h"
 
 namespace myoface {
 namespace {
@@ -75,8 +76,26 @@ void SimulationWorker::endDrag(bool keep) {
         }
         outcome->report = m_simulator->end_drag(keep);
         outcome->after = m_simulator->skin_rest();
+        if (keep) {
+            outcome->words =
+                tr("The shape has changed by, in mL:") + regions(outcome->before, outcome->after);
+        }
         Q_EMIT dragFinished(outcome);
     });
+}
+
+/// What came to each region, a line each; nothing below 0.02 mL.
+QString SimulationWorker::regions(const Points& before, const Points& after) const {
+    QString text;
+    for (const auto& [region, ml] : volume_by_region(m_simulator->face(), before, after)) {
+        if (std::abs(ml) >= 0.02) {
+            text += tr("\n%1 %2%3")
+                        .arg(QString::fromStdString(region_name(region)),
+                             QLatin1String(ml > 0.0 ? "+" : ""))
+                        .arg(ml, 0, 'f', 2);
+        }
+    }
+    return text.isEmpty() ? tr("\nnothing worth mentioning") : text;
 }
 
 /// An edit of the shape; `action` fills in title and words.
@@ -121,13 +140,7 @@ void SimulationWorker::addVolume(const VolumeRequest& request) {
         outcome.words = tr("%1 mL, at %2 kPa in the middle.")
                             .arg(report.ml, 0, 'f', 2)
                             .arg(report.pressure_kPa, 0, 'f', 0);
-        for (const auto& [region, ml] : report.by_region) {
-            if (std::abs(ml) >= 0.02) {
-                outcome.words += tr("\n%1 %2 mL")
-                                     .arg(QString::fromStdString(region_name(region)))
-                                     .arg(ml, 0, 'f', 2);
-            }
-        }
+        outcome.words += regions(outcome.before, m_simulator->skin_rest());
     });
 }
 

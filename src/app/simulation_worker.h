@@ -57,6 +57,7 @@ private:
     void wake();
     void work();
     void publish(const StepReport& report);
+    QString regions(const Points& before, const Points& after) const;
     template <typename Action>
     void guarded(const Action& action);
     template <typename Action>

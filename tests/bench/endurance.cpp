@@ -84,7 +84,8 @@ public:
         };
         if (drag(random, unit)) {
             frames(2);
-            simulator_.end_drag(unit(random) < 0.3);
+            const bool judging = request_mode_ == DragMode::ConstraintPriority;
+            simulator_.end_drag(unit(random) < 0.3 && !judging);
         }
         frames(2);
         ++found.gestures;
@@ -122,6 +123,7 @@ private:
         request.where = {triangle, Vec3(0.3, 0.3, 0.4)};
         request.mode = unit(random) < 0.6 ? DragMode::MousePriority : DragMode::ConstraintPriority;
         request.mirrored = unit(random) < 0.3;
+        request_mode_ = request.mode;
         const Vec3 direction =
             -Vec3(2.0 * unit(random) - 1.0, unit(random) - 0.5, 0.3 + unit(random)).normalized();
         const Vec3 start = position(face_->skin.mesh, request.where);
@@ -159,6 +161,7 @@ private:
 
     std::shared_ptr<const FaceModel> face_;
     Simulator simulator_;
+    DragMode request_mode_ = DragMode::MousePriority;
     BoneCheck bone_;
 };
 

@@ -175,6 +175,60 @@ TEST(MousePriority, KeepsThePointUnderTheCursorInEveryFrame) {
     }
 }
 
+TEST(MousePriority, FindsItsDepthWithoutJumps) {
+    // Sideways by 10 mm in steps of half a millimetre: the depth is a smooth curve.
+    const auto face = small_model();
+    for (const char* at : {"g", "prn", "ls", "pg", "zy_l"}) {
+        Simulator sim(face);
+        DragRequest request;
+        request.where = at_landmark(*face, at);
+        const Vec3 start = position(face->skin.mesh, request.where);
+        const Vec3 view = -Vec3::UnitZ();
+        sim.begin_drag(request, {start - 300.0 * view, view});
+        std::vector<double> depth{start.z()};
+        for (int step = 1; step <= 20; ++step) {
+            sim.move_drag({start + Vec3(0.5 * step, 0.0, 0.0) - 300.0 * view, view});
+            depth.push_back(sim.settle().drag->reached.z());
+        }
+        for (std::size_t k = 2; k < depth.size(); ++k) {
+            EXPECT_LT(std::abs(depth[k] - 2.0 * depth[k - 1] + depth[k - 2]), 0.25)
+                << at << ' ' << k;
+        }
+    }
+}
+
+TEST(MousePriority, TakesAMouthCornerBackAlongTheFace) {
+    Simulator sim(small_model());
+    const SurfacePoint corner = at_landmark(sim.face(), "ch_l");
+    const Vec3 start = position(sim.face().skin.mesh, corner);
+    DragRequest request;
+    request.where = corner;
+    const Vec3 view = -Vec3::UnitZ();
+    sim.begin_drag(request, {start - 300.0 * view, view});
+    double before = start.z();
+    for (const double way : {2.0, 4.0, 6.0, 8.0}) {
+        sim.move_drag({start + Vec3(way, 0.0, 0.0) - 300.0 * view, view});
+        const double depth = sim.settle().drag->reached.z();
+        EXPECT_LT(depth, before) << way;
+        before = depth;
+    }
+}
+
+TEST(ConstraintPriority, IsKeptOnRequest) {
+    Simulator sim(small_model());
+    DragRequest request;
+    request.where = at_landmark(sim.face(), "pg");
+    request.mode = DragMode::ConstraintPriority;
+    const Vec3 start = position(sim.face().skin.mesh, request.where);
+    const Vec3 view = -Vec3::UnitX();
+    sim.begin_drag(request, {start - 300.0 * view, view});
+    sim.move_drag({start + Vec3(0.0, 0.0, 6.0) - 300.0 * view, view});
+    sim.settle();
+    sim.end_drag(true);
+    const Points kept = sim.skin_rest() - sim.face().skin.mesh.vertices;
+    EXPECT_GT(kept.colwise().norm().maxCoeff(), 0.5);
+}
+
 TEST(MousePriority, GoesOnlyWhereItsPathAllows) {
     const auto face = small_model();
     const SurfacePoint where = at_point(*face, {30.0, -28.0, 85.0});
@@ -313,7 +367,7 @@ TEST(ConstraintPriority, SpringsBackOnRelease) {
     Simulator sim(small_model());
     drag(sim, at_landmark(sim.face(), "pg"), DragMode::ConstraintPriority, -Vec3::UnitZ(),
          Vec3(6.0, 0.0, 0.0));
-    sim.end_drag(true);
+    sim.end_drag(false);
     sim.settle();
     const Points left = sim.state().positions - sim.system().model.rest;
     EXPECT_LT(left.leftCols(sim.face().node_count()).cwiseAbs().maxCoeff(), 2e-3);

@@ -78,8 +78,9 @@ public:
     /// Starts a gesture. @throws InvalidInput when the point does not move
     void begin_drag(const DragRequest& request, const ViewRay& ray);
     void move_drag(const ViewRay& ray);
-    /// Ends it: in mouse priority the shape stays when `keep` is set, as far as it folds no skin
-    /// over itself; constraint priority springs back. @return the report of the gesture
+    /// Ends it: the shape stays when `keep` is set, as far as it folds no skin over itself, else
+    /// the face springs back. Shaping keeps, judging springs back unless somebody wants it.
+    /// @return the report of the gesture
     DragReport end_drag(bool keep);
     bool dragging() const { return drag_ != nullptr; }
     /// The stress kernel of the hand, while dragging.

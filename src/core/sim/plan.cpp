@@ -94,7 +94,7 @@ DragReport run_drag(Simulator& simulator, const DragEdit& drag, bool last, PlanR
     report.last = simulator.settle();
     DragReport result = *report.last.drag;
     if (drag.mode == DragMode::MousePriority || !last) {
-        simulator.end_drag(true);
+        simulator.end_drag(drag.mode == DragMode::MousePriority);
     }
     return result;
 }

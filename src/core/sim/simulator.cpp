@@ -209,7 +209,7 @@ DragReport Simulator::end_drag(bool keep) {
         return {};
     }
     DragReport report = drag_->report(state_, drive_, true);
-    if (keep && report.mode == DragMode::MousePriority) {
+    if (keep) {
         report.kept_share = keep_shape(before_drag_);
         return report;
     }
