@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -31,8 +32,10 @@ public:
     void refit(const TriangleMesh& mesh);
 
     /// Nearest point of the mesh; ties go to the lower triangle number.
+    /// @param within what is known to be no nearer than the nearest point [mm]: saves looking
     /// @pre the mesh has a triangle.
-    ClosestPoint closest_point(const TriangleMesh& mesh, const Vec3& query) const;
+    ClosestPoint closest_point(const TriangleMesh& mesh, const Vec3& query,
+                               double within = std::numeric_limits<double>::infinity()) const;
 
     /// First triangle hit from either side.
     std::optional<RayHit> first_hit(const TriangleMesh& mesh, const ViewRay& ray) const;

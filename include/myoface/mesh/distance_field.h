@@ -40,6 +40,7 @@ private:
     static constexpr int kSide = 4;  ///< cells of a block along an edge
     using Block = std::array<float, (kSide + 1) * (kSide + 1) * (kSide + 1)>;
 
+    double exact(const Vec3& p, double within) const;
     const Block& block(const Eigen::Vector3i& which) const;
 
     TriangleMesh surface_;

@@ -162,10 +162,10 @@ void Bvh::refit(const TriangleMesh& mesh) {
     }
 }
 
-ClosestPoint Bvh::closest_point(const TriangleMesh& mesh, const Vec3& query) const {
+ClosestPoint Bvh::closest_point(const TriangleMesh& mesh, const Vec3& query, double within) const {
     assert(!nodes_.empty());
     ClosestPoint best;
-    double best_squared = std::numeric_limits<double>::infinity();
+    double best_squared = within * within;
     std::vector<std::pair<double, int>> stack{{0.0, 0}};
     while (!stack.empty()) {
         const auto [bound, index] = stack.back();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "myoface/mesh/adjacency.h"
 #include "myoface/mesh/normals.h"
@@ -33,7 +34,11 @@ DistanceField::~DistanceField() {
 }
 
 double DistanceField::exact(const Vec3& p) const {
-    const ClosestPoint found = bvh_.closest_point(surface_, p);
+    return exact(p, std::numeric_limits<double>::infinity());
+}
+
+double DistanceField::exact(const Vec3& p, double within) const {
+    const ClosestPoint found = bvh_.closest_point(surface_, p, within);
     const auto corners = surface_.triangles.col(found.where.triangle);
     // Across an edge the face's own normal may look the other way.
     Vec3 normal = Vec3::Zero();
@@ -51,12 +56,18 @@ const DistanceField::Block& DistanceField::block(const Eigen::Vector3i& which) c
     }
     auto fresh = std::make_unique<Block>();
     std::size_t corner = 0;
+    Vec3 last = Vec3::Zero();
+    double within = std::numeric_limits<double>::infinity();
     for (int z = 0; z <= kSide; ++z) {
         for (int y = 0; y <= kSide; ++y) {
             for (int x = 0; x <= kSide; ++x) {
                 const Eigen::Vector3i lattice = kSide * which + Eigen::Vector3i(x, y, z);
-                (*fresh)[corner++] =
-                    static_cast<float>(exact(box_.min() + cell_ * lattice.cast<double>()));
+                const Vec3 p = box_.min() + cell_ * lattice.cast<double>();
+                // No further than from the corner before it and the way from there.
+                const double distance = exact(p, within + 1.001 * (p - last).norm());
+                (*fresh)[corner++] = static_cast<float>(distance);
+                within = std::abs(distance) + 1e-6;
+                last = p;
             }
         }
     }
