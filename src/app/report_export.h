@@ -23,7 +23,6 @@ public:
     /// @param file of the PDF @throws IoError when the case cannot be copied
     void start(const FaceDocument& document, const QString& file, const QString& patient,
                const QString& notes);
-    void cancel() { m_process.kill(); }
 
 Q_SIGNALS:
     void written(const QString& file);

@@ -55,10 +55,7 @@ void need_application() {
 /// Draws down the pages; lengths in mm.
 class Sheet {
 public:
-    Sheet(QPdfWriter& writer, const Report& report)
-        : m_writer(writer), m_report(report), m_painter(&writer) {
-        foot();
-    }
+    explicit Sheet(QPdfWriter& writer) : m_writer(writer), m_painter(&writer) { foot(); }
 
     double y = kTop;
 
@@ -163,7 +160,6 @@ private:
     }
 
     QPdfWriter& m_writer;
-    const Report& m_report;
     QPainter m_painter;
     int m_page = 1;
 };
@@ -287,7 +283,7 @@ void write_report(const std::filesystem::path& file, const Report& report) {
         writer.setResolution(kResolution);
         writer.setTitle(words(report.title));
         writer.setCreator(QStringLiteral("Myoface"));
-        Sheet sheet(writer, report);
+        Sheet sheet(writer);
         draw_head(sheet, report);
         draw_views(sheet, report);
         draw_change(sheet, report);

@@ -2,7 +2,6 @@
 #include "myoface/sim/shaping.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -233,8 +232,7 @@ TargetReport meet_target(Simulator& simulator, const TargetRequest& request) {
     const std::string own = report.landmark + (paired ? "_l" : "");
     const Vec3 steep = measure.kind == MeasureKind::Projection
                            ? Vec3(face.axes.col(2))
-                           : slope(places.at(simulator.state().positions), face.axes, measure,
-                                   report.landmark, paired);
+                           : slope(here, face.axes, measure, report.landmark, paired);
     if (!(steep.norm() > 1e-3)) {
         throw InvalidInput("Target: " + measure.title + " does not change when " + report.landmark +
                            " moves.");
