@@ -6,11 +6,11 @@ set -euo pipefail
 
 packages=(
   build-essential cmake ninja-build pkg-config
-  qtbase5-dev qttools5-dev qttools5-dev-tools
+  qtbase5-dev libqt5svg5-dev
   libeigen3-dev libglfw3-dev libepoxy-dev libegl-dev
   nlohmann-json3-dev libcli11-dev libpng-dev libjpeg-dev libzip-dev libassimp-dev libnanoflann-dev
   libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev libbullet-dev
-  xvfb xauth libgl1-mesa-dri libegl1 fonts-dejavu-core clang-format
+  xvfb xauth libgl1-mesa-dri libegl1 fonts-dejavu-core fonts-ipafont-gothic clang-format
 )
 
 missing=()

@@ -16,6 +16,7 @@ uniform float opacity;
 uniform bool isCut;
 uniform float gloss;
 uniform float softness;
+uniform bool clinical;
 
 out vec4 fragment;
 
@@ -59,6 +60,11 @@ void main() {
                  0.75 * vec3(0.95, 0.97, 1.0) * max(dot(n, rim), 0.0);
     float sky = 0.5 + 0.5 * n.y;
     light += mix(vec3(0.20, 0.155, 0.14), vec3(0.37, 0.40, 0.44), sky);
+    if (clinical) {
+        // Two even lamps beside the camera, as for clinical photographs: no side is favoured.
+        light = 1.15 * (softDiffuse(n, normalize(vec3(-0.5, 0.12, 0.86))) +
+                        softDiffuse(n, normalize(vec3(0.5, 0.12, 0.86)))) + vec3(0.42);
+    }
 
     float open = 1.0 - 0.62 * fold;
     vec3 bounce = mix(vec3(1.0), vec3(0.72, 0.42, 0.36), softness * fold);

@@ -1,34 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
 
+#include <numeric>
 #include <utility>
 
 namespace myoface {
 
-SetRatesCommand::SetRatesCommand(FaceDocument& document, std::vector<int> muscles,
-                                 std::vector<double> rates, int gesture, const QString& text)
+SetMusclesCommand::SetMusclesCommand(FaceDocument& document, MuscleSetting setting,
+                                     std::vector<int> muscles, std::vector<double> values,
+                                     int gesture, const QString& text)
     : QUndoCommand(text),
       m_document(document),
+      m_setting(setting),
       m_muscles(std::move(muscles)),
-      m_other(std::move(rates)),
+      m_other(std::move(values)),
       m_gesture(gesture) {}
 
-void SetRatesCommand::swap() {
+double SetMusclesCommand::shown(int muscle) const {
+    const Contractions& now = m_document.contractions();
+    return (m_setting == MuscleSetting::Rate ? now.rate
+                                             : now.strength)[static_cast<std::size_t>(muscle)];
+}
+
+void SetMusclesCommand::swap() {
     for (std::size_t i = 0; i < m_muscles.size(); ++i) {
-        const double shown = m_document.contractions().rate[static_cast<std::size_t>(m_muscles[i])];
-        m_document.setRate(m_muscles[i], std::exchange(m_other[i], shown));
+        const double value = std::exchange(m_other[i], shown(m_muscles[i]));
+        if (m_setting == MuscleSetting::Rate) {
+            m_document.setRate(m_muscles[i], value);
+        } else {
+            m_document.setStrength(m_muscles[i], value);
+        }
     }
 }
 
-bool SetRatesCommand::mergeWith(const QUndoCommand* other) {
-    const auto* next = static_cast<const SetRatesCommand*>(other);  // same id()
+bool SetMusclesCommand::mergeWith(const QUndoCommand* other) {
+    const auto* next = static_cast<const SetMusclesCommand*>(other);  // same id()
     if (next->m_gesture != m_gesture || next->m_muscles != m_muscles) {
         return false;
     }
     bool back = true;
     for (std::size_t i = 0; i < m_muscles.size(); ++i) {
-        back = back &&
-               m_document.contractions().rate[static_cast<std::size_t>(m_muscles[i])] == m_other[i];
+        back = back && shown(m_muscles[i]) == m_other[i];
     }
     setObsolete(back);  // the slider returned to where it began
     return true;
@@ -61,6 +73,28 @@ void ReshapeCommand::apply(const Points& from, const Points& to) {
         rest += shaped_skin(*now, shape_of_scan(*m_model, moved)) - now->skin.mesh.vertices;
     }
     m_document.setSkinRest(rest);
+}
+
+void SetProtectionCommand::apply(const Eigen::VectorXd& share) {
+    const auto& now = m_document.model();
+    m_document.setProtection(m_model == now || !m_model || !now
+                                 ? share
+                                 : protection_of_nodes(*now, protection_of_scan(*m_model, share)));
+}
+
+void pushVariant(FaceDocument& document, const Variant& variant, const QString& text) {
+    const FaceModel& face = *document.model();
+    const Contractions wanted = contractions_of(face, variant.rates, variant.strengths);
+    std::vector<int> all(face.muscles.size());
+    std::iota(all.begin(), all.end(), 0);
+    QUndoStack& history = *document.undoStack();
+    history.beginMacro(text);
+    history.push(new SetMusclesCommand(document, MuscleSetting::Rate, all, wanted.rate, -1, text));
+    history.push(
+        new SetMusclesCommand(document, MuscleSetting::Strength, all, wanted.strength, -1, text));
+    history.push(
+        new ReshapeCommand(document, document.skinRest(), shaped_skin(face, variant.shape), text));
+    history.endMacro();
 }
 
 SetLandmarksCommand::SetLandmarksCommand(FaceDocument& document, Landmarks landmarks,

@@ -9,22 +9,27 @@
 
 namespace myoface {
 
-/// Contractions of some muscles. One gesture of a slider is one step: commands of the same gesture
-/// merge.
-class SetRatesCommand final : public QUndoCommand {
+/// Which setting of a muscle.
+enum class MuscleSetting { Rate, Strength };
+
+/// Contractions or strengths of some muscles. One gesture of a slider is one step: commands of the
+/// same gesture merge.
+class SetMusclesCommand final : public QUndoCommand {
 public:
-    SetRatesCommand(FaceDocument& document, std::vector<int> muscles, std::vector<double> rates,
-                    int gesture, const QString& text);
+    SetMusclesCommand(FaceDocument& document, MuscleSetting setting, std::vector<int> muscles,
+                      std::vector<double> values, int gesture, const QString& text);
 
     void undo() override { swap(); }
     void redo() override { swap(); }
-    int id() const override { return 1; }
+    int id() const override { return m_setting == MuscleSetting::Rate ? 1 : 2; }
     bool mergeWith(const QUndoCommand* other) override;
 
 private:
     void swap();
+    double shown(int muscle) const;
 
     FaceDocument& m_document;
+    MuscleSetting m_setting;
     std::vector<int> m_muscles;
     std::vector<double> m_other;  ///< what undo or redo will set
     int m_gesture;
@@ -48,6 +53,47 @@ private:
     std::vector<int> m_nodes;
     Points m_before, m_after;
 };
+
+/// Other protected skin. One stroke of the brush is one step.
+class SetProtectionCommand final : public QUndoCommand {
+public:
+    SetProtectionCommand(FaceDocument& document, Eigen::VectorXd share, const QString& text)
+        : QUndoCommand(text),
+          m_document(document),
+          m_model(document.model()),
+          m_before(document.protection()),
+          m_after(std::move(share)) {}
+
+    void undo() override { apply(m_before); }
+    void redo() override { apply(m_after); }
+
+private:
+    void apply(const Eigen::VectorXd& share);
+
+    FaceDocument& m_document;
+    std::shared_ptr<const FaceModel> m_model;  ///< whose nodes they are
+    Eigen::VectorXd m_before, m_after;
+};
+
+/// Another list of variants.
+class SetVariantsCommand final : public QUndoCommand {
+public:
+    SetVariantsCommand(FaceDocument& document, std::vector<Variant> variants, const QString& text)
+        : QUndoCommand(text),
+          m_document(document),
+          m_before(document.variants()),
+          m_after(std::move(variants)) {}
+
+    void undo() override { m_document.setVariants(m_before); }
+    void redo() override { m_document.setVariants(m_after); }
+
+private:
+    FaceDocument& m_document;
+    std::vector<Variant> m_before, m_after;
+};
+
+/// Makes the face what a variant says, as one step of the history.
+void pushVariant(FaceDocument& document, const Variant& variant, const QString& text);
 
 /// Other landmarks; the face is fitted anew.
 class SetLandmarksCommand final : public QUndoCommand {

@@ -11,6 +11,20 @@
 
 namespace myoface {
 
+/// What the user made of a face at a moment, to be written down beside the window.
+struct FaceEdits {
+    std::shared_ptr<const FaceModel> model;  ///< null for a scan that has not been fitted
+    Contractions contractions;
+    Points skinRest;
+    Eigen::VectorXd protection;
+    Landmarks landmarks;
+    FitOptions fit;
+    std::vector<Variant> variants;
+    std::string notes;
+};
+/// In terms of the scan. Costs a moment on fine scans.
+CaseState stateOf(const FaceEdits& edits);
+
 /// The face that is open and what the user made of it. Views listen to it; only commands change it.
 class FaceDocument final : public QObject {
     Q_OBJECT
@@ -26,18 +40,28 @@ public:
     const std::shared_ptr<const FaceModel>& model() const { return m_model; }
     const Contractions& contractions() const { return m_contractions; }
     const Points& skinRest() const { return m_skinRest; }
+    /// What gestures leave alone, 0 … 1 per skin node; empty: nothing.
+    const Eigen::VectorXd& protection() const { return m_protection; }
     /// As they were found, opened, or placed since.
     const Landmarks& landmarks() const { return m_landmarks; }
     const FitOptions& fit() const { return m_fit; }
+    const std::vector<Variant>& variants() const { return m_variants; }
+    const QString& notes() const { return m_notes; }
     QUndoStack* undoStack() { return &m_undoStack; }
 
     // For commands.
     void setRate(int muscle, double rate);
+    void setStrength(int muscle, double strength);
     void setSkinRest(const Points& skinRest);
+    void setProtection(const Eigen::VectorXd& share);
     void setLandmarks(const Landmarks& landmarks);
     void setTissue(TissueThickness tissue);
+    void setVariants(const std::vector<Variant>& variants);
+    void setNotes(const QString& notes);
     /// The face as it is to be saved: as opened, with what was placed and chosen since.
     OpenedFace asSaved() const;
+    FaceEdits edits() const;
+    CaseState state() const { return stateOf(edits()); }
 
     /// The same scan fitted anew; the history goes on.
     void setModel(std::shared_ptr<const FaceModel> model, const Points& skinRest);
@@ -45,17 +69,24 @@ public:
 Q_SIGNALS:
     void faceChanged();
     void rateChanged(int muscle, double rate);
+    void strengthChanged(int muscle, double strength);
     void skinRestChanged();
+    void protectionChanged();
     void landmarksChanged();
     void tissueChanged();
+    void variantsChanged();
+    void notesChanged();
 
 private:
     std::shared_ptr<const OpenedFace> m_opened;
     std::shared_ptr<const FaceModel> m_model;
     Contractions m_contractions;
     Points m_skinRest;
+    Eigen::VectorXd m_protection;
     Landmarks m_landmarks;
     FitOptions m_fit;
+    std::vector<Variant> m_variants;
+    QString m_notes;
     QUndoStack m_undoStack;
 };
 

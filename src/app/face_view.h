@@ -7,6 +7,7 @@
 
 #include <QLineF>
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <QVector>
 
 #include "myoface/mesh/bvh.h"
@@ -18,7 +19,16 @@ namespace myoface {
 class Renderer;
 
 /// What the left mouse button does on the skin.
-enum class Tool { Navigate, Shape, Feel, Volume, Protect };
+enum class Tool { Navigate, Shape, Feel, Volume, Protect, Measure };
+
+/// How a face and an earlier state of it share the view.
+enum class CompareMode { Off, SideBySide, Wipe, Ghost };
+
+/// Words beside a place of the face.
+struct ViewLabel {
+    Vec3 at;
+    QString text;
+};
 
 /// A cut through the face at the hand, seen from the side [mm]: to the right is towards the viewer.
 struct DepthInset {
@@ -51,14 +61,35 @@ public:
     /// Turns the camera so that a place on the skin is seen from before it, if it is not.
     void bringIntoView(const Vec3& point);
 
+    /// Shows another state beside, instead of or over the face. @param before null: none
+    void setCompare(CompareMode mode, std::shared_ptr<const SceneData> before,
+                    const QString& title = {});
+    CompareMode compareMode() const { return m_compare; }
+    /// Where the wipe stands: 0 left … 1 right.
+    void setWipe(double share);
+    double wipe() const { return m_wipe; }
+    void setLabels(std::vector<ViewLabel> labels) { m_labels = std::move(labels); }
+    /// Colours of a legend in the lower left corner, lowest first, and words at its ends; none: no
+    /// legend.
+    void setLegend(const QVector<QColor>& colours, const QString& low, const QString& high);
+
     /// Drawn in a corner while there is one.
     void setInset(std::optional<DepthInset> inset) { m_inset = std::move(inset); }
     /// A closed line on the skin around a place [mm].
     std::vector<Vec3> ringOnSkin(const SurfacePoint& where, double radius);
 
     const Camera& camera() const { return m_camera; }
+    void setCamera(const Camera& camera);
     void showStandardView(const QString& name);
     void frameFace(const Vec3& centre, double radius);
+    /// Even light from the front instead of a portrait's.
+    void setClinicalLight(bool on);
+    void setTextured(bool on);
+    void setWireframe(bool on);
+    /// Turns the head slowly until the mouse takes it.
+    void setTurning(bool on);
+    /// Frames the head again as frameFace() did, seen from where it is.
+    void frameAgain() { frameFace(m_homeCentre, m_homeRadius); }
     void setOrthographic(bool on);
 
     QSize minimumSizeHint() const override { return {320, 320}; }
@@ -71,6 +102,10 @@ Q_SIGNALS:
     /// A click on the skin with the Volume tool, and a stroke with the Protect tool.
     void placed(const myoface::SurfacePoint& where);
     void brushed(const myoface::SurfacePoint& where);
+    void brushEnded();
+    /// A click on the skin with the Measure tool.
+    void measured(const myoface::SurfacePoint& where);
+    void measureEnded();
     /// Arrow keys: steps to the right and up; with Shift ten.
     void nudged(double right, double up);
     void mirrorToggled();
@@ -87,6 +122,9 @@ Q_SIGNALS:
     void handleDropped(int handle, const myoface::SurfacePoint& where);
     void drawingFailed(const QString& sentence);
     void beforeHeld(bool held);
+    void wipeMoved(double share);
+    void cameraMoved();
+    void turningEnded();
 
 protected:
     void initializeGL() override;
@@ -100,20 +138,49 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-    enum class Action { None, Orbit, Pan, Grip, MaybePick, Handle, MaybePlace, Brush, Radius };
+    enum class Action {
+        None,
+        Orbit,
+        Pan,
+        Grip,
+        MaybePick,
+        Handle,
+        MaybePlace,
+        Brush,
+        Radius,
+        Wipe
+    };
 
     ViewRay rayAt(const QPointF& at) const;
+    PixelPoint pixelOf(const Vec3& point) const;
     std::optional<RayHit> hitAt(const QPointF& at);
     void updateCursor(bool onSkin);
     /// Number of the handle under a pixel that the skin does not hide, or -1.
     int handleAt(const QPointF& at);
     void releaseRenderer();
-    void drawInset();
+    void drawScenes(int width, int height, float ratio);
+    void drawWords(QPainter& painter);
+    void drawInset(QPainter& painter);
+    /// The part of the widget that shows the face as it is now [px].
+    QRectF livePane() const;
+    /// How far the pane's width limits the size of a head, 0 … 1.
+    double fit() const;
+    bool onWipe(const QPointF& at) const;
+    void moved();
     bool beginOnSkin(const QPointF& at);
     bool nudgeKey(const QKeyEvent& event);
 
     FaceScene* m_scene = nullptr;
-    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<Renderer> m_renderer, m_beforeRenderer;
+    std::shared_ptr<const SceneData> m_beforeScene;
+    CompareMode m_compare = CompareMode::Off;
+    QString m_beforeTitle;
+    double m_wipe = 0.5;
+    ViewStyle m_style;
+    QTimer m_turning;
+    std::vector<ViewLabel> m_labels;
+    QVector<QColor> m_legend;
+    QString m_legendLow, m_legendHigh;
     TriangleMesh m_skin;
     Bvh m_bvh;
     bool m_bvhStale = true;

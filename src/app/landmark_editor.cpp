@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "face_view.h"
 #include "landmark_panel.h"
+#include "language.h"
 
 namespace myoface {
 
@@ -158,8 +159,7 @@ void LandmarkEditor::moved(int handle, const SurfacePoint& where, bool dropped) 
     m_held = -1;
     Landmarks landmarks = m_document.landmarks();
     landmarks[m_names[i]] = {position(m_document.model()->skin.mesh, where), kCheckedError};
-    push(std::move(landmarks),
-         tr("move %1").arg(QString::fromStdString(landmark_title(m_names[i]))));
+    push(std::move(landmarks), tr("move %1").arg(landmarkInWords(m_names[i])));
 }
 
 void LandmarkEditor::accept(const std::string& name) {
@@ -169,7 +169,7 @@ void LandmarkEditor::accept(const std::string& name) {
         return;
     }
     found->second.error_mm = kCheckedError;
-    push(std::move(landmarks), tr("accept %1").arg(QString::fromStdString(landmark_title(name))));
+    push(std::move(landmarks), tr("accept %1").arg(landmarkInWords(name)));
 }
 
 void LandmarkEditor::mirror(const std::string& name) {
@@ -183,8 +183,7 @@ void LandmarkEditor::mirror(const std::string& name) {
     const Vec3 image = mirrored(model->midplane, other->second.position);
     landmarks[name] = {bvh.closest_point(model->skin.mesh, image).point,
                        std::max(2.0, other->second.error_mm)};
-    push(std::move(landmarks),
-         tr("%1 from the other side").arg(QString::fromStdString(landmark_title(name))));
+    push(std::move(landmarks), tr("%1 from the other side").arg(landmarkInWords(name)));
 }
 
 void LandmarkEditor::detect() {

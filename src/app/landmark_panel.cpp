@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "landmark_picture.h"
+#include "language.h"
 
 namespace myoface {
 namespace {
@@ -147,7 +148,7 @@ void LandmarkPanel::setLandmarks(const Landmarks& landmarks) {
     for (const std::string& name : landmark_names()) {
         const auto found = landmarks.find(name);
         auto* row = new QTreeWidgetItem(m_list);
-        row->setText(0, QString::fromStdString(landmark_title(name)));
+        row->setText(0, landmarkInWords(name));
         row->setData(0, Qt::UserRole, QString::fromStdString(name));
         row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         if (found != landmarks.end()) {
@@ -216,11 +217,10 @@ void LandmarkPanel::describe() {
     }
     m_picture->setPixmap(QPixmap::fromImage(landmarkPicture(name, kPictureWidth, kPictureHeight)));
     m_picture->show();
-    m_definition->setText(
-        QStringLiteral("<b>%1</b> (%2)<br>%3")
-            .arg(QString::fromStdString(landmark_title(name)).toHtmlEscaped(),
-                 QString::fromStdString(name),
-                 QString::fromStdString(landmark_definition(name)).toHtmlEscaped()));
+    m_definition->setText(QStringLiteral("<b>%1</b> (%2)<br>%3")
+                              .arg(landmarkInWords(name).toHtmlEscaped(),
+                                   QString::fromStdString(name),
+                                   inWords(landmark_definition(name)).toHtmlEscaped()));
 }
 
 void LandmarkPanel::selectNext() {

@@ -14,6 +14,8 @@
 #include "myoface/muscle/expression.h"
 #include "myoface/sim/plan.h"
 
+#include "compare_panel.h"
+#include "language.h"
 #include "main_window.h"
 #include "theme.h"
 
@@ -48,6 +50,18 @@ void saveAndQuit(myoface::MainWindow& window, const QString& file) {
     });
 }
 
+void showComparison(myoface::MainWindow& window, const QString& mode) {
+    myoface::ComparePanel& panel = window.comparePanel();
+    if (mode == QLatin1String("map")) {
+        panel.setMap(true);
+    } else {
+        panel.setMode(mode == QLatin1String("side")    ? myoface::CompareMode::SideBySide
+                      : mode == QLatin1String("wipe")  ? myoface::CompareMode::Wipe
+                      : mode == QLatin1String("ghost") ? myoface::CompareMode::Ghost
+                                                       : myoface::CompareMode::Off);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -64,8 +78,6 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName(QStringLiteral("Myoface"));
     QApplication::setOrganizationName(QStringLiteral("Myoface"));
     QApplication::setApplicationVersion(QStringLiteral(MYOFACE_VERSION));
-    myoface::applyTheme(application);
-
     QCommandLineParser parser;
     parser.setApplicationDescription(
         QObject::tr("Facial surgery consultation simulator. A planning and communication aid, not "
@@ -93,8 +105,35 @@ int main(int argc, char** argv) {
     const QCommandLineOption panel(
         QStringLiteral("panel"), QObject::tr("layers, scan, landmarks, shape or muscles in front"),
         QStringLiteral("name"));
-    parser.addOptions({screenshot, muscle, expression, layers, view, landmarks, panel});
+    const QCommandLineOption strength(QStringLiteral("strength"),
+                                      QObject::tr("NAME=s, of a muscle; repeatable"),
+                                      QStringLiteral("setting"));
+    const QCommandLineOption step(QStringLiteral("step"),
+                                  QObject::tr("scan, fit, shape, expression, compare or report"),
+                                  QStringLiteral("name"));
+    const QCommandLineOption compare(QStringLiteral("compare"),
+                                     QObject::tr("off, side, wipe, ghost or map"),
+                                     QStringLiteral("mode"));
+    const QCommandLineOption language(QStringLiteral("language"), QObject::tr("en or ja"),
+                                      QStringLiteral("code"));
+    const QCommandLineOption theme(QStringLiteral("theme"), QObject::tr("dark or light"),
+                                   QStringLiteral("name"));
+    const QCommandLineOption size(QStringLiteral("size"), QObject::tr("of the window [px]"),
+                                  QStringLiteral("WxH"));
+    parser.addOptions({screenshot, muscle, strength, expression, layers, view, landmarks, panel,
+                       step, compare, language, theme, size});
     parser.process(application);
+
+    myoface::Settings settings = myoface::Settings::read();
+    if (parser.isSet(language)) {
+        settings.language = parser.value(language);
+    }
+    if (parser.isSet(theme)) {
+        settings.theme = parser.value(theme) == QLatin1String("light") ? myoface::Theme::Light
+                                                                       : myoface::Theme::Dark;
+    }
+    myoface::applyTheme(application, settings.theme);
+    myoface::Language::instance().choose(settings.language);
 
     if (!hasOpenGl()) {
         const QString sentence = QObject::tr(
@@ -108,6 +147,7 @@ int main(int argc, char** argv) {
     }
 
     std::vector<std::pair<std::string, double>> rates;
+    std::vector<std::pair<std::string, double>> strengths;
     std::vector<std::pair<std::string, double>> expressions;
     try {
         for (const QString& text : parser.values(expression)) {
@@ -117,6 +157,10 @@ int main(int argc, char** argv) {
         for (const QString& text : parser.values(muscle)) {
             rates.push_back(myoface::parse_setting(text.toStdString()));
             myoface::muscles_named(rates.back().first);
+        }
+        for (const QString& text : parser.values(strength)) {
+            strengths.push_back(myoface::parse_setting(text.toStdString()));
+            myoface::muscles_named(strengths.back().first);
         }
         if (parser.isSet(view)) {
             myoface::standard_view(parser.value(view).toStdString());
@@ -130,6 +174,10 @@ int main(int argc, char** argv) {
         qputenv("MYOFACE_UNATTENDED", "1");
     }
     myoface::MainWindow window;
+    const QStringList extent = parser.value(size).split(QLatin1Char('x'));
+    if (extent.size() == 2) {
+        window.resize(extent[0].toInt(), extent[1].toInt());
+    }
     window.show();
     QObject::connect(&window, &myoface::MainWindow::opened, &window, [&] {
         try {
@@ -138,6 +186,15 @@ int main(int argc, char** argv) {
             }
             for (const auto& [name, rate] : rates) {
                 window.setRates(name, rate);
+            }
+            for (const auto& [name, share] : strengths) {
+                window.setStrengths(name, share);
+            }
+            if (parser.isSet(step)) {
+                window.showStep(parser.value(step));
+            }
+            if (parser.isSet(compare)) {
+                showComparison(window, parser.value(compare));
             }
             if (parser.isSet(layers)) {
                 const QStringList names = parser.value(layers).split(QLatin1Char(','));
@@ -182,6 +239,12 @@ int main(int argc, char** argv) {
             std::fputs("myoface: the face did not come to rest in two minutes.\n", stderr);
             QApplication::exit(1);
         });
+    }
+    if (!parser.isSet(screenshot)) {
+        window.offerRecovery();
+        if (!window.settled()) {  // one comes back
+            return QApplication::exec();
+        }
     }
     const QStringList faces = parser.positionalArguments();
     window.openPath(faces.isEmpty() ? QStringLiteral("generic") : faces.first());

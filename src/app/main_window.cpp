@@ -1,37 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "main_window.h"
 
+#include <algorithm>
 #include <numeric>
+#include <tuple>
 
-#include <QAction>
-#include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QInputDialog>
-#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QToolTip>
+#include <QUndoView>
 #include <QVBoxLayout>
 
 #include "myoface/base/error.h"
 #include "myoface/muscle/expression.h"
+#include "myoface/muscle/weakening.h"
 #include "myoface/scene/muscle_drawing.h"
 
+#include "callipers.h"
 #include "commands.h"
+#include "compare_panel.h"
+#include "comparison.h"
+#include "face_files.h"
+#include "icons.h"
+#include "journal_keeper.h"
 #include "landmark_editor.h"
 #include "landmark_guide.h"
 #include "landmark_panel.h"
+#include "language.h"
 #include "layer_panel.h"
+#include "measure_panel.h"
 #include "muscle_panel.h"
 #include "open_job.h"
-#include "report_export.h"
+#include "patient_view.h"
+#include "report_panel.h"
 #include "scan_frame_editor.h"
 #include "scan_panel.h"
 #include "shape_panel.h"
@@ -40,8 +48,7 @@
 namespace myoface {
 namespace {
 
-constexpr int kRecentFiles = 8;
-const char* const kRecentKey = "recentFiles";
+const char* const kLeast = "least";  ///< property of a dock: least width of its content [px]
 
 /// The head in the picture: hairline to chin, ears in.
 std::pair<Vec3, double> faceSphere(const OpenedFace& opened) {
@@ -59,17 +66,18 @@ std::pair<Vec3, double> faceSphere(const OpenedFace& opened) {
 
 }  // namespace
 
-template <typename Call>
-void MainWindow::inWorker(const Call& call) {
+void MainWindow::inWorker(const std::function<void(SimulationWorker&)>& call) {
     m_settled = false;
     QMetaObject::invokeMethod(
         m_worker, [worker = m_worker, call] { call(*worker); }, Qt::QueuedConnection);
 }
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_settings(Settings::read()) {
     qRegisterMetaType<std::shared_ptr<const DragOutcome>>();
     setWindowTitle(tr("Myoface"));
+    setWindowIcon(programIcon());
     setAcceptDrops(true);
+    setDockNestingEnabled(true);
     resize(1440, 900);
 
     auto* centre = new QWidget;
@@ -89,37 +97,97 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     connect(m_worker, &SimulationWorker::failed, this, &MainWindow::complain);
     m_thread.start();
 
+    m_files = new FaceFiles(m_document, *this);
+    m_journal = new JournalKeeper(m_document, JournalKeeper::usualFolder(), this);
+    connect(m_journal, &JournalKeeper::problem, this, &MainWindow::complain);
     buildDocks();
+    buildStatusBar();
     buildActions();
     connectView();
     connectFrameEditor();
     connectShapeTools();
-    m_report = new ReportExport(this);
-    connect(m_report, &ReportExport::written, this, [this](const QString& file) {
-        statusBar()->showMessage(tr("Written: %1").arg(file), 8000);
-        Q_EMIT reportWritten(file);
-    });
-    connect(m_report, &ReportExport::failed, this, &MainWindow::complain);
+    connectDocument();
+    connectPanels();
+    inWorker([form = m_settings.response](SimulationWorker& w) { w.setResponse(form); });
+    m_settled = true;
+    showStep(QStringLiteral("shape"));
+    const QSettings kept;
+    if (!qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
+        restoreGeometry(kept.value(QStringLiteral("geometry")).toByteArray());
+    }
+}
 
+void MainWindow::buildStatusBar() {
+    m_aid = new QLabel(tr("A planning and communication aid, not a medical device"));
+    m_state = new QLabel;
+    m_progress = new QProgressBar;
+    m_progress->setMaximumWidth(220);
+    m_cancel = new QPushButton(tr("Cancel"));
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_progress, m_cancel, m_state, m_aid}) {
+        statusBar()->addPermanentWidget(widget);
+    }
+    m_progress->hide();
+    m_cancel->hide();
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        if (m_job) {
+            m_job->cancel();
+        }
+    });
+}
+
+void MainWindow::connectDocument() {
     connect(&m_document, &FaceDocument::rateChanged, this, [this](int muscle, double rate) {
         m_muscles->setRate(muscle, rate);
         inWorker([muscle, rate](SimulationWorker& w) { w.setRate(muscle, rate); });
     });
+    connect(&m_document, &FaceDocument::strengthChanged, this, [this](int muscle, double strength) {
+        m_muscles->setStrength(muscle, strength);
+        inWorker([muscle, strength](SimulationWorker& w) { w.setStrength(muscle, strength); });
+    });
     connect(&m_document, &FaceDocument::skinRestChanged, this, [this] {
         inWorker([rest = m_document.skinRest()](SimulationWorker& w) { w.setSkinRest(rest); });
     });
+    connect(&m_document, &FaceDocument::notesChanged, this,
+            [this] { m_reportPanel->setNotes(m_document.notes()); });
+    connect(m_document.undoStack(), &QUndoStack::cleanChanged, this,
+            [this](bool clean) { setWindowModified(!clean); });
+}
+
+void MainWindow::connectPanels() {
+    const auto say = [this](const QString& sentence) { statusBar()->showMessage(sentence, 8000); };
+    connect(m_files, &FaceFiles::openWanted, this, &MainWindow::openPath);
+    connect(m_files, &FaceFiles::landmarksWanted, this, [this](const QString& path) {
+        OpenOptions options;
+        options.landmarks = path.toStdString();
+        startJob(m_files->path(), options);
+    });
+    connect(m_files, &FaceFiles::message, this, say);
+    connect(m_files, &FaceFiles::problem, this, &MainWindow::complain);
+    connect(m_files, &FaceFiles::reportWritten, this, &MainWindow::reportWritten);
+    connect(m_files, &FaceFiles::reportWriting, m_reportPanel, &ReportPanel::setWriting);
+
     connect(m_muscles, &MusclePanel::ratesEdited, this,
             [this](const std::vector<int>& which, double rate, int gesture, const QString& title) {
-                m_document.undoStack()->push(new SetRatesCommand(
-                    m_document, which, std::vector<double>(which.size(), rate), gesture, title));
+                m_document.undoStack()->push(
+                    new SetMusclesCommand(m_document, MuscleSetting::Rate, which,
+                                          std::vector<double>(which.size(), rate), gesture, title));
             });
+    connect(
+        m_muscles, &MusclePanel::strengthsEdited, this,
+        [this](const std::vector<int>& which, double strength, int gesture, const QString& title) {
+            m_document.undoStack()->push(
+                new SetMusclesCommand(m_document, MuscleSetting::Strength, which,
+                                      std::vector<double>(which.size(), strength), gesture,
+                                      tr("strength of %1").arg(title)));
+        });
     connect(m_muscles, &MusclePanel::expressionChosen, this,
-            [this](const std::string& name, double intensity, int gesture) {
+            [this](const std::string& name, double left, double right, int gesture) {
                 if (m_document.model()) {  // from rest: the list shows one expression at a time
                     pushExpression(std::vector<double>(m_document.contractions().rate.size(), 0.0),
-                                   name, intensity, gesture);
+                                   name, left, right, gesture);
                 }
             });
+    connect(m_muscles, &MusclePanel::weakeningChosen, this, &MainWindow::weaken);
     connect(m_muscles, &MusclePanel::resetRequested, this, &MainWindow::restMuscles);
     connect(m_layers, &LayerPanel::layersEdited, this, [this] {
         if (m_scene) {
@@ -140,27 +208,36 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
         }
     });
 
-    auto* note = new QLabel(tr("A planning and communication aid, not a medical device"));
-    note->setStyleSheet(QStringLiteral("color: #8d99a5; padding: 0 10px;"));
-    m_state = new QLabel;
-    m_progress = new QProgressBar;
-    m_progress->setMaximumWidth(220);
-    m_cancel = new QPushButton(tr("Cancel"));
-    statusBar()->addPermanentWidget(m_progress);
-    statusBar()->addPermanentWidget(m_cancel);
-    statusBar()->addPermanentWidget(m_state);
-    statusBar()->addPermanentWidget(note);
-    m_progress->hide();
-    m_cancel->hide();
-    connect(m_cancel, &QPushButton::clicked, this, [this] {
-        if (m_job) {
-            m_job->cancel();
+    m_comparison = new Comparison(m_document, *m_view, *m_comparePanel, this);
+    connect(m_comparison, &Comparison::changed, this, &MainWindow::showAgain);
+    connect(m_comparison, &Comparison::message, this, say);
+    connect(m_comparison, &Comparison::problem, this, &MainWindow::complain);
+    connect(m_view, &FaceView::beforeHeld, m_comparison, &Comparison::holdBefore);
+    m_callipers = new Callipers(*m_view, this);
+    connect(m_callipers, &Callipers::changed, this, &MainWindow::drawOver);
+    connect(m_callipers, &Callipers::message, this, say);
+    connect(m_view, &FaceView::measureEnded, m_callipers, &Callipers::clear);
+    connect(m_measures, &MeasurePanel::chosen, this, &MainWindow::drawOver);
+    connect(m_measures, &MeasurePanel::message, this, say);
+    connect(m_measures, &MeasurePanel::problem, this, &MainWindow::complain);
+
+    connect(m_reportPanel, &ReportPanel::notesEdited, &m_document, &FaceDocument::setNotes);
+    connect(m_reportPanel, &ReportPanel::reportAsked, this,
+            [this] { m_files->chooseReport(m_reportPanel->words(), m_measures->population()); });
+    connect(m_reportPanel, &ReportPanel::pictureAsked, this,
+            [this] { m_files->exportPicture(*m_view); });
+    connect(m_reportPanel, &ReportPanel::turntableAsked, this,
+            [this] { m_files->exportTurntable(*m_view); });
+    connect(m_reportPanel, &ReportPanel::caseAsked, m_files, &FaceFiles::saveCaseAs);
+    connect(m_reportPanel, &ReportPanel::faceAsked, this, [this] {
+        if (m_document.model() && m_shown) {
+            m_files->exportFace(*m_shown);
         }
     });
 }
 
 bool MainWindow::settled() const {
-    return m_settled && !m_job && !m_landmarkEditor->fitting();
+    return m_settled && !m_job && !m_landmarkEditor->fitting() && !m_comparison->busy();
 }
 
 MainWindow::~MainWindow() {
@@ -175,185 +252,105 @@ void MainWindow::buildDocks() {
         auto* result = new QDockWidget(title);
         result->setObjectName(name);
         result->setWidget(content);
-        result->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+        result->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
+                            QDockWidget::DockWidgetFloatable);
         addDockWidget(area, result);
         return result;
     };
-    m_muscles = new MusclePanel;
-    m_muscles->setMinimumWidth(310);
-    m_layers = new LayerPanel;
+    constexpr int kLeft = 270;  // least width of the panels [px]
+    constexpr int kRight = 390;
     m_scanPanel = new ScanPanel;
-    m_scanPanel->setMinimumWidth(230);
-    dock(tr("Muscles"), QStringLiteral("muscles"), m_muscles, Qt::RightDockWidgetArea);
-    auto* layers = dock(tr("Layers"), QStringLiteral("layers"), m_layers, Qt::LeftDockWidgetArea);
-    auto* scan = dock(tr("Scan"), QStringLiteral("scan"), m_scanPanel, Qt::LeftDockWidgetArea);
-    splitDockWidget(layers, scan, Qt::Vertical);
     m_landmarks = new LandmarkPanel;
-    m_landmarks->setMinimumWidth(250);
-    auto* landmarks =
-        dock(tr("Landmarks"), QStringLiteral("landmarks"), m_landmarks, Qt::LeftDockWidgetArea);
-    tabifyDockWidget(scan, landmarks);
     m_shapePanel = new ShapePanel;
-    m_shapePanel->setMinimumWidth(250);
-    auto* shape = dock(tr("Shape"), QStringLiteral("shape"), m_shapePanel, Qt::LeftDockWidgetArea);
-    tabifyDockWidget(landmarks, shape);
-    scan->raise();
+    m_comparePanel = new ComparePanel;
+    m_reportPanel = new ReportPanel;
+    m_layers = new LayerPanel;
+    m_muscles = new MusclePanel;
+    m_measures = new MeasurePanel;
+    const auto left = Qt::LeftDockWidgetArea;
+    const auto right = Qt::RightDockWidgetArea;
+    for (const auto& [title, name, widget] :
+         {std::tuple<QString, QString, QWidget*>{tr("Scan"), QStringLiteral("scan"), m_scanPanel},
+          {tr("Landmarks"), QStringLiteral("landmarks"), m_landmarks},
+          {tr("Shape"), QStringLiteral("shape"), m_shapePanel},
+          {tr("Compare"), QStringLiteral("compare"), m_comparePanel},
+          {tr("Report"), QStringLiteral("report"), m_reportPanel},
+          {tr("Layers"), QStringLiteral("layers"), m_layers}}) {
+        dock(title, name, widget, left)->setProperty(kLeast, kLeft);
+    }
+    auto* history = new QUndoView(m_document.undoStack());
+    history->setEmptyLabel(tr("the face as it was opened"));
+    history->setAccessibleName(tr("History"));
+    history->setCleanIcon(QIcon());
+    for (const auto& [title, name, widget] :
+         {std::tuple<QString, QString, QWidget*>{tr("Muscles"), QStringLiteral("muscles"),
+                                                 m_muscles},
+          {tr("Measures"), QStringLiteral("measures"), m_measures},
+          {tr("History"), QStringLiteral("history"), history}}) {
+        dock(title, name, widget, right)->setProperty(kLeast, kRight);
+    }
+    widenPanels();
     m_landmarkEditor = new LandmarkEditor(m_document, *m_view, *m_landmarks, this);
     connect(m_landmarkEditor, &LandmarkEditor::changed, this, &MainWindow::drawOver);
     connect(m_landmarkEditor, &LandmarkEditor::fitted, this, &MainWindow::showRefitted);
     connect(m_landmarkEditor, &LandmarkEditor::problem, this, &MainWindow::complain);
-    resizeDocks({layers, scan}, {190, 500}, Qt::Vertical);
     m_layers->setEnabled(false);
     m_muscles->setEnabled(false);
+    m_measures->setEnabled(false);
+    m_comparePanel->setEnabled(false);
 }
 
-void MainWindow::buildActions() {
-    const auto add = [this](QMenu* menu, const QString& text, const QKeySequence& key,
-                            auto&& call) {
-        QAction* action = menu->addAction(text);
-        action->setShortcut(key);
-        connect(action, &QAction::triggered, this, call);
-        return action;
-    };
-    QMenu* file = menuBar()->addMenu(tr("&File"));
-    add(file, tr("&Open…"), QKeySequence::Open, [this] { chooseFile(); });
-    m_recent = file->addMenu(tr("Open &recent"));
-    connect(m_recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
-    add(file, tr("Open the &built-in face"), {}, [this] { openPath(QStringLiteral("generic")); });
-    add(file, tr("Open &landmarks…"), QKeySequence(tr("Ctrl+L")), [this] { chooseLandmarks(); });
-    add(file, tr("&Place landmarks by hand"), {}, [this] {
-        if (m_document.opened()) {
-            m_view->setPickMode(true);
-            m_guide->begin();
+/// Panels as wide as their words need in this language.
+void MainWindow::widenPanels() {
+    for (auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        QWidget* content = dock->widget();
+        content->setMinimumWidth(0);
+        content->setMinimumWidth(
+            std::max(dock->property(kLeast).toInt(), content->minimumSizeHint().width()));
+    }
+}
+
+void MainWindow::showStep(const QString& name) {
+    const auto wanted = std::find_if(m_steps.begin(), m_steps.end(),
+                                     [&](const TaskStep& step) { return step.name == name; });
+    if (wanted == m_steps.end()) {
+        return;
+    }
+    if (!m_step.isEmpty()) {
+        m_layouts[m_step] = saveState();
+    }
+    m_step = name;
+    for (QAction* action : m_stepActions->actions()) {
+        action->setChecked(action->data().toString() == name);
+    }
+    if (!m_layouts.contains(name) || !restoreState(m_layouts[name])) {
+        QDockWidget* last[2] = {nullptr, nullptr};
+        for (auto* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+            dock->hide();
         }
-    });
-    file->addSeparator();
-    add(file, tr("&Save case…"), QKeySequence::Save, [this] { saveCase(); });
-    add(file, tr("&Export face…"), QKeySequence(tr("Ctrl+E")), [this] { saveScan(); });
-    add(file, tr("Export p&icture…"), QKeySequence(tr("Ctrl+Shift+E")), [this] { savePicture(); });
-    add(file, tr("Export &report…"), QKeySequence(tr("Ctrl+R")), [this] { saveReport(); });
-    file->addSeparator();
-    add(file, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
-
-    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    QAction* undo = m_document.undoStack()->createUndoAction(this, tr("&Undo"));
-    undo->setShortcut(QKeySequence::Undo);
-    QAction* redo = m_document.undoStack()->createRedoAction(this, tr("&Redo"));
-    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
-    edit->addActions({undo, redo});
-    edit->addSeparator();
-    add(edit, tr("All muscles at &rest"), {}, [this] { restMuscles(); });
-    QAction* reset = add(edit, tr("Reset &face"), {}, [this] { resetFace(); });
-    reset->setToolTip(tr("Back to the scan: muscles at rest, shape as it came"));
-
-    QMenu* view = menuBar()->addMenu(tr("&View"));
-    struct StandardView {
-        QString title;
-        const char* name;
-        const char* key;
-    };
-    for (const StandardView& v :
-         {StandardView{tr("&Front"), "front", "Ctrl+1"},
-          StandardView{tr("Patient's &left"), "left", "Ctrl+3"},
-          StandardView{tr("Patient's &right"), "right", "Ctrl+Shift+3"},
-          StandardView{tr("Three-quarter left"), "three-quarter-left", "Ctrl+5"},
-          StandardView{tr("Three-quarter right"), "three-quarter-right", "Ctrl+Shift+5"},
-          StandardView{tr("From &below"), "below", "Ctrl+7"},
-          StandardView{tr("From &above"), "above", "Ctrl+Shift+7"}}) {
-        add(view, v.title, QKeySequence(QString::fromLatin1(v.key)),
-            [this, name = QString::fromLatin1(v.name)] { m_view->showStandardView(name); });
+        for (const QString& panel : wanted->panels) {
+            auto* dock = findChild<QDockWidget*>(panel);
+            const bool left = dockWidgetArea(dock) == Qt::LeftDockWidgetArea;
+            if (QDockWidget*& above = last[left ? 0 : 1]; above != nullptr) {
+                splitDockWidget(above, dock, Qt::Vertical);
+                above = dock;
+            } else {
+                above = dock;
+            }
+            dock->show();
+            resizeDocks({dock}, {dock->widget()->minimumWidth()}, Qt::Horizontal);
+        }
+        if (auto* layers = findChild<QDockWidget*>(QStringLiteral("layers"));
+            layers->isVisibleTo(this)) {
+            resizeDocks({layers}, {210}, Qt::Vertical);
+        }
+        if (wanted->panels.contains(QStringLiteral("history"))) {
+            resizeDocks({findChild<QDockWidget*>(QStringLiteral("history"))}, {150}, Qt::Vertical);
+        }
     }
-    view->addSeparator();
-    QAction* orthographic = view->addAction(tr("&Orthographic"));
-    orthographic->setCheckable(true);
-    orthographic->setShortcut(QKeySequence(tr("Ctrl+P")));
-    connect(orthographic, &QAction::toggled, m_view, &FaceView::setOrthographic);
-
-    // Whether tissue swings is a matter of looking, not of the result.
-    QMenu* motion = view->addMenu(tr("&Motion of tissue"));
-    auto* paces = new QActionGroup(this);
-    for (const auto& [title, pace] : {std::pair(tr("Straight to &rest"), 0.0),
-                                      std::pair(tr("&Swings, as fast as in life"), 1.0),
-                                      std::pair(tr("Swings, &4 times slower"), 0.25),
-                                      std::pair(tr("Swings, &10 times slower"), 0.1)}) {
-        QAction* action = motion->addAction(title);
-        action->setCheckable(true);
-        action->setChecked(pace == 0.0);
-        paces->addAction(action);
-        connect(action, &QAction::triggered, this,
-                [this, p = pace] { inWorker([p](SimulationWorker& w) { w.setPace(p); }); });
+    if (m_shown && m_document.model()) {  // panels that were hidden catch up
+        showAgain();
     }
-
-    auto* bar = addToolBar(tr("Tools"));
-    bar->setObjectName(QStringLiteral("tools"));
-    bar->setMovable(false);
-    auto* tools = new QActionGroup(this);
-    struct ToolEntry {
-        QString title, tip;
-        Tool tool;
-        const char* key;
-    };
-    for (const ToolEntry& entry :
-         {ToolEntry{tr("Turn"), tr("Left drag turns the head (Q)"), Tool::Navigate, "Q"},
-          ToolEntry{tr("Shape"),
-                    tr("Mouse priority: the skin point follows the cursor, depth comes from the "
-                       "tissue, the shape stays (W)"),
-                    Tool::Shape, "W"},
-          ToolEntry{tr("Feel"),
-                    tr("Constraint priority: a stress pulls at the skin, tissue holds it back, on "
-                       "release it springs back (E)"),
-                    Tool::Feel, "E"},
-          ToolEntry{tr("Volume"),
-                    tr("A click adds the volume that the Shape panel says, under the skin (R)"),
-                    Tool::Volume, "R"},
-          ToolEntry{tr("Protect"), tr("Left drag paints skin that gestures leave alone (T)"),
-                    Tool::Protect, "T"}}) {
-        QAction* action = bar->addAction(entry.title);
-        action->setCheckable(true);
-        action->setToolTip(entry.tip);
-        action->setShortcut(QKeySequence(QString::fromLatin1(entry.key)));
-        action->setObjectName(QStringLiteral("tool%1").arg(QString::fromLatin1(entry.key)));
-        tools->addAction(action);
-        connect(action, &QAction::triggered, this, [this, entry] {
-            m_view->setTool(entry.tool);
-            statusBar()->showMessage(entry.tip, 8000);
-        });
-        action->setChecked(entry.tool == Tool::Shape);
-    }
-    bar->addSeparator();
-    bar->addActions({undo, redo});
-    bar->addSeparator();
-    for (const auto& [title, name] :
-         {std::pair(tr("Front"), "front"), std::pair(tr("Left"), "left"),
-          std::pair(tr("Right"), "right"), std::pair(tr("¾ Left"), "three-quarter-left"),
-          std::pair(tr("¾ Right"), "three-quarter-right")}) {
-        QAction* action = bar->addAction(title);
-        connect(action, &QAction::triggered, this,
-                [this, n = QString::fromLatin1(name)] { m_view->showStandardView(n); });
-    }
-    bar->addSeparator();
-    QAction* before = bar->addAction(tr("Before"));
-    before->setCheckable(true);
-    before->setToolTip(tr("Shows the scan as it came; the space bar does so while it is held"));
-    connect(before, &QAction::toggled, this, &MainWindow::showBefore);
-    bar->addAction(reset);
-
-    QMenu* help = menuBar()->addMenu(tr("&Help"));
-    add(help, tr("&Mouse and keys"), QKeySequence::HelpContents, [this] {
-        QMessageBox::information(
-            this, tr("Mouse and keys"),
-            tr("<p><b>Left drag on skin</b>: shape or feel, as the tool says<br>"
-               "<b>Left drag beside the face</b>, <b>Alt + left</b>, <b>middle</b>: turn<br>"
-               "<b>Right drag</b>, <b>Shift + middle</b>: pan · <b>Wheel</b>: zoom<br>"
-               "<b>Q W E R T</b>: turn, shape, feel, volume, protect<br>"
-               "<b>F</b>: radius of the grip · <b>X</b>: both sides · <b>Arrows</b>: 0.1 mm, with "
-               "Shift 1 mm<br>"
-               "<b>Ctrl+1, 3, 5, 7</b>: standard views<br>"
-               "<b>Space</b>: hold to see the scan as it came · <b>Home</b>: whole head<br>"
-               "<b>Esc</b>: give up the gesture · <b>Ctrl+Z, Ctrl+Shift+Z</b>: undo, redo<br>"
-               "<b>Double click on a slider</b>: muscle at rest</p>"));
-    });
-    add(help, tr("&About Myoface"), {}, [this] { about(); });
 }
 
 void MainWindow::connectView() {
@@ -371,7 +368,6 @@ void MainWindow::connectView() {
             endPicking();
         }
     });
-    connect(m_view, &FaceView::beforeHeld, this, &MainWindow::showBefore);
     connect(m_view, &FaceView::drawingFailed, this, &MainWindow::complain);
 }
 
@@ -440,18 +436,51 @@ void MainWindow::reopen(const OpenOptions& options) {
         m_scanPanel->setFace(*m_document.opened(), m_document.model().get(), m_springs);
         return;
     }
-    startJob(m_path, options);
+    startJob(m_files->path(), options);
 }
 
 void MainWindow::openPath(const QString& path) {
-    startJob(path, {});
+    if (mayLeave()) {
+        startJob(path, {});
+    }
 }
 
 void MainWindow::startJob(const QString& path, const OpenOptions& options) {
-    m_job = std::make_unique<OpenJob>(path, options);
+    begin(std::make_unique<OpenJob>(path, options));
+}
+
+void MainWindow::recover(const Recovery& recovery) {
+    begin(std::make_unique<OpenJob>(recovery));
+}
+
+void MainWindow::offerRecovery() {
+    for (const Recovery& recovery : recoverable(m_journal->folder())) {
+        QMessageBox box(QMessageBox::Question, tr("Myoface"),
+                        tr("Myoface ended while %1 had changes that were not saved "
+                           "(%2 steps, the last at %3).")
+                            .arg(QString::fromStdString(recovery.name))
+                            .arg(recovery.gestures)
+                            .arg(QString::fromStdString(recovery.saved)),
+                        QMessageBox::NoButton, this);
+        const QAbstractButton* again = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+        const QAbstractButton* never = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+        box.addButton(tr("Not now"), QMessageBox::RejectRole);
+        box.exec();
+        if (box.clickedButton() == again) {
+            recover(recovery);
+            return;
+        }
+        if (box.clickedButton() == never) {
+            discard(recovery);
+        }
+    }
+}
+
+void MainWindow::begin(std::unique_ptr<OpenJob> job) {
+    m_job = std::move(job);
     connect(m_job.get(), &OpenJob::finished, this, &MainWindow::jobFinished);
     connect(m_job.get(), &OpenJob::progressed, this, [this](const QString& stage, int percent) {
-        m_progress->setFormat(stage);
+        m_progress->setFormat(inWords(stage.toStdString()));
         m_progress->setValue(percent);
     });
     m_progress->setValue(0);
@@ -471,45 +500,40 @@ void MainWindow::jobFinished() {
         Q_EMIT openFailed(job->problem());
         return;
     }
-    m_path = job->path();
+    m_files->setOpened(job->recovery() ? QStringLiteral("generic") : job->path());
     showFace(result);
-    rememberRecent(m_path);
+    if (job->recovery()) {  // not saved yet: in a journal of its own before the old one goes
+        m_document.undoStack()->resetClean();
+        m_journal->noteNow();
+        m_journal->flush();
+        discard(*job->recovery());
+    }
     Q_EMIT opened();
 }
 
 void MainWindow::showFace(OpenResult& result) {
     const OpenedFace& face = *result.opened;
     m_frameEditor->setFace(result.opened);
-    m_view->setScene(nullptr);
-    m_shapeTools->setScene(nullptr);
-    m_shown.reset();
+    dropScene();
     std::shared_ptr<const FaceModel> model;
     if (result.simulator) {
         model = result.simulator->shared_face();
-    }
-    m_scene = std::make_unique<FaceScene>(model ? model->scan : face.scan, face.texture);
-    if (result.simulator) {
-        m_scene->set_face(model, result.simulator->system().model.springs,
-                          result.simulator->system().chains);
-        m_muscles->setMuscles(model->muscles);
-        for (std::size_t m = 0; m < model->muscles.size(); ++m) {
-            m_muscles->setRate(static_cast<int>(m), result.simulator->contractions().rate[m]);
-        }
+        const FaceMassSpring& system = result.simulator->system();
+        m_springs = static_cast<int>(system.model.springs.size());
+        m_nodes = system.model.node_count();
+        m_scene = std::make_unique<FaceScene>(model->scan, face.texture);
+        m_scene->set_face(model, system.model.springs, system.chains);
         m_document.setFace(result.opened, model, result.simulator->contractions(),
                            result.simulator->skin_rest());
-        m_view->setSkin(model->skin.mesh);
+        showMuscles();
         m_view->setPickMode(false);
         m_guide->hide();
-        m_springs = static_cast<int>(result.simulator->system().model.springs.size());
-        m_nodes = result.simulator->system().model.node_count();
-        m_scanPanel->setFace(face, model.get(), m_springs);
         auto holder = std::make_shared<std::unique_ptr<Simulator>>(std::move(result.simulator));
         inWorker([holder](SimulationWorker& w) { w.setSimulator(std::move(*holder)); });
     } else {
-        m_document.setFace(result.opened, nullptr, {}, {});
-        m_view->setSkin(face.scan->mesh);
         m_springs = 0;
-        m_scanPanel->setFace(face, nullptr, 0);
+        m_scene = std::make_unique<FaceScene>(face.scan, face.texture);
+        m_document.setFace(result.opened, nullptr, {}, {});
         inWorker([](SimulationWorker& w) { w.setSimulator(nullptr); });
         m_settled = true;
         m_view->setPickMode(true);
@@ -518,38 +542,68 @@ void MainWindow::showFace(OpenResult& result) {
             tr("This scan has no landmarks yet: click the points above, or open a landmark file."));
     }
     m_landmarkEditor->setFace(std::move(result.net));
-    m_layers->setEnabled(model != nullptr);
-    m_muscles->setEnabled(model != nullptr);
-    m_scene->set_layers(m_layers->layers());
-    m_scene->cut_away(m_layers->cutAway());
-    m_view->setScene(m_scene.get());
-    m_shapeTools->setScene(m_scene.get());
+    m_reportPanel->setNotes(m_document.notes());
+    takeScene();
     const auto [centre, radius] = faceSphere(face);
     m_view->showStandardView(QStringLiteral("front"));
     m_view->frameFace(centre, radius);
-    setWindowTitle(tr("%1 — Myoface").arg(QString::fromStdString(face.name)));
+    setWindowTitle(tr("%1[*] — Myoface").arg(QString::fromStdString(face.name)));
+    setWindowModified(!m_document.undoStack()->isClean());
+    showHints();
 }
 
-void MainWindow::chooseFile() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open a face"), QFileInfo(m_path).absolutePath(),
-        tr("Faces (*.obj *.ply *.stl *.glb *.gltf *.myoface);;All files (*)"));
-    if (!path.isEmpty()) {
-        openPath(path);
+/// Nothing looks at the scene any more.
+void MainWindow::dropScene() {
+    m_shown.reset();
+    m_view->setScene(nullptr);
+    m_shapeTools->setScene(nullptr);
+    m_comparison->setScene(nullptr);
+    if (m_patient) {
+        m_patient->setScene(nullptr);
     }
 }
 
-void MainWindow::chooseLandmarks() {
-    if (!m_document.opened()) {
+/// The new scene in everything that looks at it. The worker has its simulator already.
+void MainWindow::takeScene() {
+    const auto& model = m_document.model();
+    const OpenedFace& face = *m_document.opened();
+    m_view->setSkin(model ? model->skin.mesh : face.scan->mesh);
+    m_scanPanel->setFace(face, model.get(), m_springs);
+    m_layers->setEnabled(model != nullptr);
+    m_muscles->setEnabled(model != nullptr);
+    m_measures->setFace(model);
+    m_callipers->setFace(model);
+    m_scene->set_layers(m_layers->layers());
+    m_scene->cut_away(m_layers->cutAway());
+    colourScene();
+    m_view->setScene(m_scene.get());
+    m_shapeTools->setScene(m_scene.get());
+    m_comparison->setScene(m_scene.get());
+    if (m_patient) {
+        m_patient->setScene(m_scene.get());
+    }
+}
+
+void MainWindow::colourScene() {
+    const auto colour = [](const QColor& c) {
+        return Eigen::Vector3f(float(c.redF()), float(c.greenF()), float(c.blueF()));
+    };
+    if (m_scene) {
+        m_scene->scene().background_top = colour(themeColours().viewTop);
+        m_scene->scene().background_bottom = colour(themeColours().viewBottom);
+    }
+}
+
+/// The list of muscles with their settings, in the language of the interface.
+void MainWindow::showMuscles() {
+    const auto& model = m_document.model();
+    if (!model) {
         return;
     }
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open landmarks"), QFileInfo(m_path).absolutePath(),
-                                     tr("Landmarks (*.json);;All files (*)"));
-    if (!path.isEmpty()) {
-        OpenOptions options;
-        options.landmarks = path.toStdString();
-        startJob(m_path, options);
+    m_muscles->setMuscles(model->muscles);
+    for (std::size_t m = 0; m < model->muscles.size(); ++m) {
+        m_muscles->setRate(static_cast<int>(m), m_document.contractions().rate[m]);
+        m_muscles->setStrength(static_cast<int>(m), m_document.contractions().strength[m]);
     }
 }
 
@@ -562,91 +616,7 @@ void MainWindow::landmarksPlaced() {
     }
     OpenOptions options;
     options.placed = file;
-    startJob(m_path, options);
-}
-
-void MainWindow::saveScan() {
-    if (!m_document.model() || !m_shown) {
-        return;
-    }
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export the face as it is shown"), QFileInfo(m_path).absolutePath(),
-        tr("OBJ (*.obj);;PLY (*.ply);;GLB (*.glb);;STL (*.stl)"));
-    if (path.isEmpty()) {
-        return;
-    }
-    try {
-        write_face(path.toStdString(), *m_document.opened()->scan, *m_document.model(),
-                   m_shown->positions, m_shown->jaw);
-        statusBar()->showMessage(tr("Written: %1").arg(path), 6000);
-    } catch (const Error& error) {
-        complain(QString::fromUtf8(error.what()));
-    }
-}
-
-void MainWindow::saveCase() {
-    if (!m_document.opened()) {
-        return;
-    }
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the case"), QFileInfo(m_path).absolutePath(),
-                                     tr("Myoface case (*.myoface)"));
-    if (path.isEmpty()) {
-        return;
-    }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        path += QStringLiteral(".myoface");
-    }
-    try {
-        CaseState state;
-        if (m_document.model()) {
-            state =
-                case_state(*m_document.model(), m_document.contractions(), m_document.skinRest());
-        }
-        write_case(path.toStdString(), m_document.asSaved(), state);
-        m_document.undoStack()->setClean();
-        rememberRecent(path);
-        statusBar()->showMessage(tr("Saved: %1").arg(path), 6000);
-    } catch (const Error& error) {
-        complain(QString::fromUtf8(error.what()));
-    }
-}
-
-void MainWindow::saveReport() {
-    if (!m_document.model() || m_report->running()) {
-        return;
-    }
-    QString path = QFileDialog::getSaveFileName(
-        this, tr("Export a report"), QFileInfo(m_path).absolutePath(), tr("PDF (*.pdf)"));
-    if (path.isEmpty()) {
-        return;
-    }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        path += QStringLiteral(".pdf");
-    }
-    bool accepted = false;
-    const QString notes = QInputDialog::getMultiLineText(
-        this, tr("Export a report"), tr("Notes at the end of the report:"), {}, &accepted);
-    if (accepted) {
-        exportReport(path, notes);
-    }
-}
-
-void MainWindow::exportReport(const QString& path, const QString& notes) {
-    try {
-        m_report->start(m_document, path, {}, notes);
-        statusBar()->showMessage(tr("Writing the report…"));
-    } catch (const Error& error) {
-        complain(QString::fromUtf8(error.what()));
-    }
-}
-
-void MainWindow::savePicture() {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export a picture"), QFileInfo(m_path).absolutePath(), tr("PNG (*.png)"));
-    if (!path.isEmpty() && !m_view->grabFramebuffer().save(path)) {
-        complain(tr("%1: cannot be written.").arg(path));
-    }
+    startJob(m_files->path(), options);
 }
 
 void MainWindow::showSnapshot() {
@@ -658,59 +628,68 @@ void MainWindow::showSnapshot() {
         return;  // of a face that was closed or fitted anew meanwhile
     }
     m_shown = snapshot;
-    m_view->setSkinPositions(snapshot->positions);
-    if (!m_before) {
-        m_scene->show(*snapshot);
-    }
-    SceneData& scene = m_scene->scene();
-    scene.markers.clear();
-    scene.strokes = {};
-    m_shapeTools->draw(scene, *snapshot);
+    showAgain();
     const QString hand = m_shapeTools->words(*snapshot);
-    m_state->setText(!hand.isEmpty()
-                         ? hand
+    m_state->setText(!hand.isEmpty() ? hand
+                     : !m_callipers->words().isEmpty()
+                         ? m_callipers->words()
                          : tr("largest move %1 mm · %2")
                                .arg(snapshot->report.max_displacement_mm, 0, 'f', 1)
                                .arg(snapshot->report.converged ? tr("at rest") : tr("moving")));
-    m_landmarkEditor->draw(scene, snapshot->positions);
-    m_view->update();
     if (snapshot->report.converged && !snapshot->dragging) {
         m_settled = true;
         Q_EMIT cameToRest();
     }
 }
 
-/// Redraws what lies over the face, without waiting for the next step of the simulation.
-void MainWindow::drawOver() {
-    if (!m_scene || !m_document.model() || !m_shown || m_shown->dragging) {
+/// The newest moment, as the comparison wants it, with everything that lies over the face.
+void MainWindow::showAgain() {
+    if (!m_scene || !m_document.model() || !m_shown) {
         return;
     }
-    m_scene->scene().markers.clear();
-    m_scene->scene().strokes = {};
-    m_shapeTools->draw(m_scene->scene(), *m_shown);
-    m_landmarkEditor->draw(m_scene->scene(), m_shown->positions);
+    const SimSnapshot shown = m_comparison->shown(*m_shown);
+    m_view->setSkinPositions(shown.positions);
+    m_scene->show(shown);
+    m_comparison->paint(shown);
+    m_shapeTools->setPaints(!m_comparison->paints());
+    m_measures->show(m_comparison->before(), shown.positions,
+                     m_shown->dragging || !m_shown->report.converged);
+    drawStrokes(shown);
+}
+
+void MainWindow::drawStrokes(const SimSnapshot& shown) {
+    SceneData& scene = m_scene->scene();
+    scene.markers.clear();
+    scene.strokes = {};
+    m_shapeTools->draw(scene, shown);
+    m_measures->draw(scene, shown.positions);
+    m_callipers->draw(scene, shown.positions);
+    m_landmarkEditor->draw(scene, shown.positions);
     m_view->update();
+    if (m_patient) {
+        m_patient->refresh();
+    }
+}
+
+/// Redraws what lies over the face, without waiting for the next step of the simulation.
+void MainWindow::drawOver() {
+    if (m_scene && m_document.model() && m_shown && !m_shown->dragging) {
+        drawStrokes(m_comparison->shown(*m_shown));
+    }
 }
 
 /// The same scan with muscles and bone where the moved landmarks put them.
 void MainWindow::showRefitted(FitJob& job) {
+    dropScene();
     m_document.setModel(job.model(), job.simulator()->skin_rest());
     const FaceMassSpring& system = job.simulator()->system();
     m_springs = static_cast<int>(system.model.springs.size());
     m_nodes = system.model.node_count();
-    m_shown.reset();
-    m_view->setScene(nullptr);
-    m_shapeTools->setScene(nullptr);
     m_scene = std::make_unique<FaceScene>(job.model()->scan, m_document.opened()->texture);
     m_scene->set_face(job.model(), system.model.springs, system.chains);
-    m_view->setSkin(job.model()->skin.mesh);
-    m_view->setScene(m_scene.get());
-    m_shapeTools->setScene(m_scene.get());
-    m_scene->set_layers(m_layers->layers());
-    m_scene->cut_away(m_layers->cutAway());
-    m_scanPanel->setFace(*m_document.opened(), job.model().get(), m_springs);
     auto holder = std::make_shared<std::unique_ptr<Simulator>>(std::move(job.simulator()));
     inWorker([holder](SimulationWorker& w) { w.setSimulator(std::move(*holder)); });
+    takeScene();
 }
 
 void MainWindow::restMuscles() {
@@ -722,8 +701,9 @@ void MainWindow::restMuscles() {
         }
     }
     if (!which.empty()) {
-        m_document.undoStack()->push(new SetRatesCommand(
-            m_document, which, std::vector<double>(which.size(), 0.0), -1, tr("muscles at rest")));
+        m_document.undoStack()->push(new SetMusclesCommand(m_document, MuscleSetting::Rate, which,
+                                                           std::vector<double>(which.size(), 0.0),
+                                                           -1, tr("muscles at rest")));
     }
 }
 
@@ -746,7 +726,7 @@ void MainWindow::nameWhatIsThere(const ViewRay& ray, const std::optional<Surface
     if (!model) {
         return;
     }
-    const bool japanese = locale().language() == QLocale::Japanese;
+    const bool japanese = Language::instance().japanese();
     const LayerOpacity layers = m_layers->layers();
     const bool muscles = layers.muscles > 0.0F && (layers.skin < 0.9F || m_layers->cutAway() > 0.0);
     const std::optional<int> muscle = muscles ? muscle_on_ray(*model, ray) : std::nullopt;
@@ -767,45 +747,61 @@ void MainWindow::nameWhatIsThere(const ViewRay& ray, const std::optional<Surface
     }
 }
 
-void MainWindow::showBefore(bool held) {
-    m_before = held;
-    if (!m_scene || !m_document.model() || !m_shown) {
-        return;
-    }
-    SimSnapshot snapshot = *m_shown;
-    if (held) {
-        snapshot.positions.leftCols(m_document.model()->node_count()) =
-            m_document.model()->skin.mesh.vertices;
-        snapshot.jaw = 0.0;
-    }
-    m_scene->show(snapshot);
-    m_view->update();
+void MainWindow::setRates(const std::string& muscle, double rate) {
+    setMuscles(MuscleSetting::Rate, muscle, rate);
 }
 
-void MainWindow::setRates(const std::string& muscle, double rate) {
+void MainWindow::setStrengths(const std::string& muscle, double strength) {
+    setMuscles(MuscleSetting::Strength, muscle, strength);
+}
+
+void MainWindow::setMuscles(MuscleSetting setting, const std::string& muscle, double value) {
     const std::vector<int> which = muscles_named(muscle);
-    m_document.undoStack()->push(new SetRatesCommand(
-        m_document, which, std::vector<double>(which.size(), rate), -2,
+    m_document.undoStack()->push(new SetMusclesCommand(
+        m_document, setting, which, std::vector<double>(which.size(), value), -2,
         QString::fromStdString(
             m_document.model()->muscles[static_cast<std::size_t>(which[0])].traits.title)));
 }
 
-void MainWindow::pushExpression(std::vector<double> rates, const std::string& name,
-                                double intensity, int gesture) {
+void MainWindow::pushExpression(std::vector<double> rates, const std::string& name, double left,
+                                double right, int gesture) {
     const Expression expression = expression_named(name);
-    add_expression(rates, expression, intensity);
+    Expression sided = expression;
+    for (auto& [muscle, rate] : sided.rates) {
+        const Side side = m_document.model()->muscles[static_cast<std::size_t>(muscle)].traits.side;
+        rate *= side == Side::Left ? left : side == Side::Right ? right : 0.5 * (left + right);
+    }
+    add_expression(rates, sided, 1.0);
     std::vector<int> which(rates.size());
     std::iota(which.begin(), which.end(), 0);
-    m_document.undoStack()->push(new SetRatesCommand(
-        m_document, which, rates, gesture,
-        QString::fromStdString(locale().language() == QLocale::Japanese ? expression.title_ja
-                                                                        : expression.title)));
+    m_document.undoStack()->push(new SetMusclesCommand(m_document, MuscleSetting::Rate, which,
+                                                       rates, gesture, inWords(expression.title)));
 }
 
 void MainWindow::addExpression(const std::string& name, double intensity) {
     if (m_document.model()) {
-        pushExpression(m_document.contractions().rate, name, intensity, -2);
+        pushExpression(m_document.contractions().rate, name, intensity, intensity, -2);
     }
+}
+
+/// Sets a ready set of weak muscles, and all others back to full strength.
+void MainWindow::weaken(const std::string& preset, bool left, bool right) {
+    if (!m_document.model()) {
+        return;
+    }
+    std::vector<double> strengths(m_document.model()->muscles.size(), 1.0);
+    QString title = tr("full strength");
+    if (!preset.empty()) {
+        const Weakening set = weakening_named(preset + (left && right ? "" : left ? ".L" : ".R"));
+        for (const auto& [muscle, strength] : set.strengths) {
+            strengths[static_cast<std::size_t>(muscle)] = strength;
+        }
+        title = inWords(set.title);
+    }
+    std::vector<int> all(strengths.size());
+    std::iota(all.begin(), all.end(), 0);
+    m_document.undoStack()->push(
+        new SetMusclesCommand(m_document, MuscleSetting::Strength, all, strengths, -1, title));
 }
 
 void MainWindow::setLayers(const LayerOpacity& layers) {
@@ -840,40 +836,6 @@ void MainWindow::complain(const QString& sentence) {
     box->open();
 }
 
-void MainWindow::rememberRecent(const QString& path) {
-    if (path == QStringLiteral("generic")) {
-        return;
-    }
-    QSettings settings;
-    QStringList files = settings.value(QString::fromLatin1(kRecentKey)).toStringList();
-    const QString full = QFileInfo(path).absoluteFilePath();
-    files.removeAll(full);
-    files.prepend(full);
-    settings.setValue(QString::fromLatin1(kRecentKey), QStringList(files.mid(0, kRecentFiles)));
-}
-
-void MainWindow::fillRecent() {
-    m_recent->clear();
-    const QStringList files = QSettings().value(QString::fromLatin1(kRecentKey)).toStringList();
-    for (const QString& path : files) {
-        QAction* action = m_recent->addAction(QFileInfo(path).fileName());
-        action->setToolTip(path);
-        connect(action, &QAction::triggered, this, [this, path] { openPath(path); });
-    }
-    if (files.isEmpty()) {
-        m_recent->addAction(tr("None yet"))->setEnabled(false);
-    }
-}
-
-void MainWindow::about() {
-    QMessageBox::about(
-        this, tr("About Myoface"),
-        tr("<h3>Myoface %1</h3><p>Facial surgery consultation simulator on a muscle-spring "
-           "model.</p><p>A planning and communication aid, not a medical device: what it shows is "
-           "an estimate, not a promise of a result.</p><p>Apache License 2.0.</p>")
-            .arg(QStringLiteral(MYOFACE_VERSION)));
-}
-
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) {
         event->acceptProposedAction();
@@ -884,20 +846,114 @@ void MainWindow::dropEvent(QDropEvent* event) {
     openPath(event->mimeData()->urls().first().toLocalFile());
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
+/// Whether the face may go: asks when there are changes that are not saved.
+bool MainWindow::mayLeave() {
     if (m_document.undoStack()->isClean() || qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
-        event->accept();
+        return true;
+    }
+    QMessageBox box(QMessageBox::Question, tr("Myoface"), tr("Save the changes to this face?"),
+                    QMessageBox::NoButton, this);
+    const QAbstractButton* save = box.addButton(tr("Save"), QMessageBox::AcceptRole);
+    const QAbstractButton* drop = box.addButton(tr("Don't save"), QMessageBox::DestructiveRole);
+    box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    box.exec();
+    return box.clickedButton() == drop || (box.clickedButton() == save && m_files->saveCase());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayLeave()) {
+        event->ignore();
         return;
     }
-    const auto answer = QMessageBox::question(
-        this, tr("Myoface"), tr("Save the changes to this face before closing?"),
-        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-    if (answer == QMessageBox::Save) {
-        saveCase();
+    m_journal->finish();
+    if (!qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
+        QSettings().setValue(QStringLiteral("geometry"), saveGeometry());
     }
-    const bool leave = answer == QMessageBox::Discard ||
-                       (answer == QMessageBox::Save && m_document.undoStack()->isClean());
-    event->setAccepted(leave);
+    if (m_patient) {
+        m_patient->close();
+    }
+    event->accept();
+}
+
+void MainWindow::applySettings(const Settings& settings) {
+    m_settings = settings;
+    settings.write();
+    applyTheme(*qApp, settings.theme);
+    refreshIcons();
+    colourScene();
+    Language::instance().choose(settings.language);
+    inWorker([form = settings.response](SimulationWorker& w) { w.setResponse(form); });
+    m_settled = m_document.model() == nullptr;
+    m_view->update();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange && m_scanPanel != nullptr) {
+        refreshShortcutTips();
+        widenPanels();
+        showMuscles();
+        if (m_document.opened()) {
+            m_scanPanel->setFace(*m_document.opened(), m_document.model().get(), m_springs);
+            m_landmarks->setLandmarks(m_document.landmarks());
+            setWindowTitle(
+                tr("%1[*] — Myoface").arg(QString::fromStdString(m_document.opened()->name)));
+        }
+        showAgain();
+    }
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    placeHints();
+}
+
+/// Three hints over the face at the first start, until the first click on them or gesture.
+void MainWindow::showHints() {
+    const QString key = QStringLiteral("hintsSeen");
+    if (m_hints != nullptr || QSettings().value(key).toBool() ||
+        qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
+        return;
+    }
+    m_hints = new QLabel(m_view);
+    m_hints->setText(
+        tr("<p><b>Drag the skin</b> to shape it. Beside the face, the left button "
+           "turns the head; the wheel zooms.</p>"
+           "<p><b>The steps above</b> lead from the scan to the report.</p>"
+           "<p><b>Ctrl+K</b> finds everything by name, <b>F1</b> shows all keys.</p>"));
+    m_hints->setStyleSheet(
+        QStringLiteral("background: rgba(20, 24, 30, 215); color: #e8ecf0;"
+                       " border-radius: 10px; padding: 6px 18px;"));
+    m_hints->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_hints->adjustSize();
+    m_hints->show();
+    placeHints();
+    connect(m_document.undoStack(), &QUndoStack::indexChanged, m_hints, [this, key] {
+        QSettings().setValue(key, true);
+        m_hints->hide();
+    });
+}
+
+void MainWindow::placeHints() {
+    if (m_hints != nullptr) {
+        m_hints->move((m_view->width() - m_hints->width()) / 2,
+                      m_view->height() - m_hints->height() - 24);
+    }
+}
+
+void MainWindow::presentToPatient() {
+    if (m_patient) {
+        m_patient->close();
+        return;
+    }
+    m_patient = new PatientView(*m_view);
+    m_patient->setAttribute(Qt::WA_DeleteOnClose);
+    m_patient->setScene(m_scene.get());
+    m_patient->present();
+}
+
+void MainWindow::exportReport(const QString& path) {
+    m_files->exportReport(path, m_reportPanel->words(), m_measures->population());
 }
 
 }  // namespace myoface

@@ -1,33 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 
+#include <QActionGroup>
+#include <QHash>
 #include <QLabel>
 #include <QMainWindow>
+#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QThread>
 
+#include "commands.h"
 #include "face_document.h"
 #include "face_view.h"
+#include "preferences.h"
 #include "simulation_worker.h"
 
 namespace myoface {
 
+class Callipers;
+class Comparison;
+class ComparePanel;
+class FaceFiles;
 class FitJob;
+class JournalKeeper;
 class LandmarkEditor;
 class LandmarkGuide;
 class LandmarkPanel;
 class LayerPanel;
+class MeasurePanel;
 class MusclePanel;
 class OpenJob;
+class PatientView;
+class ReportPanel;
 class ScanFrameEditor;
-class ReportExport;
 class ScanPanel;
 class ShapePanel;
 class ShapeTools;
 struct OpenResult;
+struct Recovery;
+
+/// A step of the consultation: what it is called, and the panels that it needs.
+struct TaskStep {
+    QString name, title, icon, tip;
+    QStringList panels;
+};
 
 /// The only place where view, panels, document, undo and simulation meet.
 class MainWindow final : public QMainWindow {
@@ -50,15 +70,30 @@ public:
     bool settled() const;
     const QString& lastProblem() const { return m_lastProblem; }
     void setRates(const std::string& muscle, double rate);
+    void setStrengths(const std::string& muscle, double strength);
     /// Adds an expression to what the muscles do. @throws InvalidInput for an unknown name
     void addExpression(const std::string& name, double intensity);
     void setLayers(const LayerOpacity& layers);
+    FaceFiles& files() { return *m_files; }
+    Comparison& comparison() { return *m_comparison; }
+    ComparePanel& comparePanel() { return *m_comparePanel; }
+    MeasurePanel& measures() { return *m_measures; }
+    JournalKeeper& journal() { return *m_journal; }
     /// Writes a report of the face as it stands, beside the window.
-    void exportReport(const QString& path, const QString& notes);
+    void exportReport(const QString& path);
     /// Brings the landmarks panel to the front, markers and fitted net on.
     void showLandmarks();
-    /// Brings a panel to the front: layers, scan, landmarks, shape, muscles.
+    /// Brings a panel to the front: scan, layers, landmarks, shape, measures, muscles, compare,
+    /// report, history.
     void showPanel(const QString& name);
+    /// One of scan, fit, shape, expression, compare, report.
+    void showStep(const QString& name);
+    const QString& step() const { return m_step; }
+    /// Language, theme and method, at once.
+    void applySettings(const Settings& settings);
+    /// Asks whether a face that a program left behind is wanted back.
+    void offerRecovery();
+    void recover(const Recovery& recovery);
 
 Q_SIGNALS:
     void opened();
@@ -70,10 +105,28 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    // In window_menus.cpp.
     void buildActions();
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildViewMenu();
+    void buildHelpMenu();
+    void buildSteps();
+    void buildTools();
+    void showShortcuts();
+    void about();
+    void refreshIcons();
+    void refreshShortcutTips();
+
     void buildDocks();
+    void widenPanels();
+    void buildStatusBar();
+    void connectDocument();
+    void connectPanels();
     void connectView();
     void connectFrameEditor();
     void connectShapeTools();
@@ -81,34 +134,39 @@ private:
     void askDistance(double measured);
     void reopen(const OpenOptions& options);
     void startJob(const QString& path, const struct OpenOptions& options);
+    void begin(std::unique_ptr<OpenJob> job);
+    bool mayLeave();
+    void dropScene();
+    void takeScene();
+    void colourScene();
+    void showMuscles();
+    void setMuscles(MuscleSetting setting, const std::string& muscle, double value);
+    void drawStrokes(const SimSnapshot& shown);
+    void placeHints();
     void jobFinished();
     void showFace(OpenResult& result);
-    void chooseFile();
-    void chooseLandmarks();
-    void saveScan();
-    void saveCase();
-    void saveReport();
-    void savePicture();
     void landmarksPlaced();
     void showRefitted(FitJob& job);
     void drawOver();
     void showSnapshot();
     void resetFace();
     void restMuscles();
-    void pushExpression(std::vector<double> rates, const std::string& name, double intensity,
-                        int gesture);
+    void pushExpression(std::vector<double> rates, const std::string& name, double left,
+                        double right, int gesture);
     void nameWhatIsThere(const ViewRay& ray, const std::optional<SurfacePoint>& where);
-    void showBefore(bool held);
+    void showAgain();
+    void weaken(const std::string& preset, bool left, bool right);
+    void presentToPatient();
+    void showHints();
     void complain(const QString& sentence);
-    void rememberRecent(const QString& path);
-    void fillRecent();
-    void about();
-    template <typename Call>
-    void inWorker(const Call& call);
+    void inWorker(const std::function<void(SimulationWorker&)>& call);
 
     FaceDocument m_document;
     std::unique_ptr<FaceScene> m_scene;
+    Settings m_settings;
     FaceView* m_view = nullptr;
+    FaceFiles* m_files = nullptr;
+    JournalKeeper* m_journal = nullptr;
     MusclePanel* m_muscles = nullptr;
     LayerPanel* m_layers = nullptr;
     ScanPanel* m_scanPanel = nullptr;
@@ -118,11 +176,21 @@ private:
     LandmarkEditor* m_landmarkEditor = nullptr;
     ShapePanel* m_shapePanel = nullptr;
     ShapeTools* m_shapeTools = nullptr;
-    ReportExport* m_report = nullptr;
+    ComparePanel* m_comparePanel = nullptr;
+    Comparison* m_comparison = nullptr;
+    MeasurePanel* m_measures = nullptr;
+    Callipers* m_callipers = nullptr;
+    ReportPanel* m_reportPanel = nullptr;
+    QPointer<PatientView> m_patient;
+    std::vector<TaskStep> m_steps;
+    QString m_step;
+    QHash<QString, QByteArray> m_layouts;  ///< of docks, by step
+    QActionGroup* m_stepActions = nullptr;
     QLabel* m_state = nullptr;
+    QLabel* m_aid = nullptr;
+    QLabel* m_hints = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton* m_cancel = nullptr;
-    QMenu* m_recent = nullptr;
     SnapshotBox m_box;
     QThread m_thread;
     SimulationWorker* m_worker = nullptr;
@@ -130,9 +198,8 @@ private:
     std::shared_ptr<const SimSnapshot> m_shown;
     int m_springs = 0;  ///< of the face that is shown
     int m_nodes = 0;    ///< of its model, muscle chains in
-    QString m_path, m_lastProblem;
+    QString m_lastProblem;
     bool m_settled = true;
-    bool m_before = false;
 };
 
 }  // namespace myoface

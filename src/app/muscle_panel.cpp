@@ -5,15 +5,20 @@
 #include <cmath>
 
 #include <QEvent>
+#include <QGridLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
-#include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QWheelEvent>
+#include <QWidgetAction>
 
 #include "myoface/muscle/expression.h"
+#include "myoface/muscle/weakening.h"
+
+#include "language.h"
 
 namespace myoface {
 namespace {
@@ -52,30 +57,8 @@ MusclePanel::MusclePanel(QWidget* parent) : QWidget(parent) {
     top->addStretch(1);
     top->addWidget(rest);
     layout->addLayout(top);
-    auto* expression = new QHBoxLayout;
-    m_expression = new QComboBox;
-    m_expression->setAccessibleName(tr("Expression"));
-    m_expression->addItem(tr("Expression …"));
-    for (const Expression& preset : expression_presets()) {
-        m_expression->addItem(
-            QString::fromStdString(QLocale().language() == QLocale::Japanese ? preset.title_ja
-                                                                             : preset.title),
-            QString::fromStdString(preset.name));
-    }
-    m_intensity = new QSlider(Qt::Horizontal);
-    m_intensity->setRange(0, 100);
-    m_intensity->setValue(80);
-    m_intensity->setAccessibleName(tr("Intensity of the expression"));
-    m_intensity->setToolTip(tr("Intensity of the expression"));
-    expression->addWidget(m_expression, 1);
-    expression->addWidget(m_intensity, 1);
-    layout->addLayout(expression);
-    connect(m_expression, QOverload<int>::of(&QComboBox::activated), this, [this] {
-        ++m_gesture;
-        chooseExpression();
-    });
-    connect(m_intensity, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
-    connect(m_intensity, &QSlider::valueChanged, this, &MusclePanel::chooseExpression);
+    layout->addLayout(expressionRow());
+    layout->addLayout(weakeningRow());
     m_filter = new QLineEdit;
     m_filter->setPlaceholderText(tr("Find a muscle or action unit"));
     m_filter->setClearButtonEnabled(true);
@@ -93,6 +76,73 @@ MusclePanel::MusclePanel(QWidget* parent) : QWidget(parent) {
     connect(m_linked, &QCheckBox::toggled, this, &MusclePanel::applyLink);
     connect(m_filter, &QLineEdit::textChanged, this, &MusclePanel::applyFilter);
     connect(rest, &QPushButton::clicked, this, &MusclePanel::resetRequested);
+}
+
+QLayout* MusclePanel::expressionRow() {
+    auto* grid = new QGridLayout;
+    m_expression = new QComboBox;
+    m_expression->setAccessibleName(tr("Expression"));
+    m_expression->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_expression->addItem(tr("Expression …"));
+    for (const Expression& preset : expression_presets()) {
+        m_expression->addItem(inWords(preset.title), QString::fromStdString(preset.name));
+    }
+    m_intensity = new QSlider(Qt::Horizontal);
+    m_intensity->setRange(0, 100);
+    m_intensity->setValue(80);
+    m_intensity->setAccessibleName(tr("Intensity of the expression"));
+    m_intensity->setToolTip(tr("Intensity of the expression"));
+    m_balance = new QSlider(Qt::Horizontal);
+    m_balance->setRange(-100, 100);
+    m_balance->setAccessibleName(tr("Balance of the sides"));
+    m_balance->setToolTip(
+        tr("Balance of the sides: to the left, the patient's right side does "
+           "more; to the right, the left side"));
+    grid->addWidget(m_expression, 0, 0, 2, 1);
+    grid->addWidget(m_intensity, 0, 1);
+    grid->addWidget(m_balance, 1, 1);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    connect(m_expression, QOverload<int>::of(&QComboBox::activated), this, [this] {
+        ++m_gesture;
+        chooseExpression();
+    });
+    for (QSlider* slider : {m_intensity, m_balance}) {
+        connect(slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
+        connect(slider, &QSlider::valueChanged, this, &MusclePanel::chooseExpression);
+    }
+    return grid;
+}
+
+QLayout* MusclePanel::weakeningRow() {
+    auto* row = new QHBoxLayout;
+    m_weakening = new QComboBox;
+    m_weakening->setObjectName(QStringLiteral("weakening"));
+    m_weakening->setAccessibleName(tr("Weak muscles"));
+    m_weakening->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_weakening->setToolTip(
+        tr("Muscles weakened by toxin or palsy: they do less of every "
+           "expression"));
+    m_weakening->addItem(tr("All muscles at full strength"));
+    for (const Weakening& preset : weakening_presets()) {
+        m_weakening->addItem(inWords(preset.title), QString::fromStdString(preset.name));
+    }
+    m_weakSide = new QComboBox;
+    m_weakSide->setAccessibleName(tr("Side"));
+    m_weakSide->addItems({tr("both sides"), tr("left"), tr("right")});
+    row->addWidget(m_weakening, 1);
+    row->addWidget(m_weakSide);
+    connect(m_weakening, QOverload<int>::of(&QComboBox::activated), this,
+            &MusclePanel::chooseWeakening);
+    connect(m_weakSide, QOverload<int>::of(&QComboBox::activated), this,
+            &MusclePanel::chooseWeakening);
+    return row;
+}
+
+void MusclePanel::chooseWeakening() {
+    const int side = m_weakSide->currentIndex();
+    Q_EMIT weakeningChosen(m_weakening->currentData().toString().toStdString(), side != 2,
+                           side != 1);
 }
 
 void MusclePanel::setMuscles(const std::vector<Muscle>& muscles) {
@@ -132,7 +182,10 @@ void MusclePanel::setMuscles(const std::vector<Muscle>& muscles) {
 void MusclePanel::chooseExpression() {
     const std::string name = m_expression->currentData().toString().toStdString();
     if (!name.empty()) {
-        Q_EMIT expressionChosen(name, m_intensity->value() / 100.0, m_gesture);
+        const double whole = m_intensity->value() / 100.0;
+        const double balance = m_balance->value() / 100.0;
+        Q_EMIT expressionChosen(name, whole * std::min(1.0, 1.0 + balance),
+                                whole * std::min(1.0, 1.0 - balance), m_gesture);
     }
 }
 
@@ -140,8 +193,8 @@ void MusclePanel::addRow(QVBoxLayout* into, const std::vector<Muscle>& muscles, 
     const MuscleTraits& traits = muscles[static_cast<std::size_t>(muscle)].traits;
     Row& row = m_rows[static_cast<std::size_t>(muscle)];
     row.muscle = muscle;
-    row.title = QString::fromStdString(QLocale().language() == QLocale::Japanese ? traits.title_ja
-                                                                                 : traits.title);
+    row.title =
+        QString::fromStdString(Language::instance().japanese() ? traits.title_ja : traits.title);
     row.right = traits.side == Side::Right;
     if (traits.side == Side::Left) {
         row.other = muscle + 1;  // the atlas lists left and right next to each other
@@ -154,7 +207,7 @@ void MusclePanel::addRow(QVBoxLayout* into, const std::vector<Muscle>& muscles, 
     layout->setSpacing(0);
     auto* line = new QHBoxLayout;
     row.label = new QLabel;
-    const bool japanese = QLocale().language() == QLocale::Japanese;
+    const bool japanese = Language::instance().japanese();
     row.label->setToolTip(QString::fromStdString(traits.name + " · " + traits.action_unit + "\n" +
                                                  traits.latin + "\n" +
                                                  (japanese ? traits.does_ja : traits.does) + "\n" +
@@ -162,7 +215,14 @@ void MusclePanel::addRow(QVBoxLayout* into, const std::vector<Muscle>& muscles, 
     row.value = new QLabel;
     row.value->setMinimumWidth(44);
     row.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row.strength = new QToolButton;
+    row.strength->setAutoRaise(true);
+    row.strength->setObjectName(QString::fromStdString(traits.name) + QStringLiteral(".strength"));
+    row.strength->setToolTip(tr("Strength: how much of its contraction the muscle can do"));
+    row.strength->setAccessibleName(tr("Strength"));
+    connect(row.strength, &QToolButton::clicked, this, [this, muscle] { editStrength(muscle); });
     line->addWidget(row.label, 1);
+    line->addWidget(row.strength);
     line->addWidget(row.value);
     layout->addLayout(line);
     row.slider = new RestingSlider;
@@ -191,6 +251,44 @@ void MusclePanel::showValue(Row& row) {
     const int value = row.slider->value();
     row.value->setText(tr("%1 %").arg(value));
     row.value->setEnabled(value != 0);
+    const bool weak = row.share < 0.995;
+    row.strength->setText(weak ? tr("%1 % strong").arg(std::lround(100.0 * row.share))
+                               : QStringLiteral("⋯"));
+}
+
+/// A slider that comes up beside the row.
+void MusclePanel::editStrength(int muscle) {
+    Row& row = m_rows[static_cast<std::size_t>(muscle)];
+    QMenu menu(this);
+    auto* content = new QWidget;
+    auto* line = new QHBoxLayout(content);
+    auto* slider = new QSlider(Qt::Horizontal);
+    slider->setRange(0, 100);
+    slider->setValue(static_cast<int>(std::lround(100.0 * row.share)));
+    slider->setMinimumWidth(180);
+    slider->setAccessibleName(tr("Strength"));
+    line->addWidget(new QLabel(tr("Strength")));
+    line->addWidget(slider);
+    auto* action = new QWidgetAction(&menu);
+    action->setDefaultWidget(content);
+    menu.addAction(action);
+    const int gesture = ++m_gesture;
+    connect(slider, &QSlider::valueChanged, this, [&, gesture](int value) {
+        std::vector<int> which{row.muscle};
+        if (m_linked->isChecked() && row.other >= 0) {
+            which.push_back(row.other);
+        }
+        Q_EMIT strengthsEdited(which, value / 100.0, gesture, row.title);
+    });
+    menu.exec(row.strength->mapToGlobal(QPoint(0, row.strength->height())));
+}
+
+void MusclePanel::setStrength(int muscle, double strength) {
+    Row& row = m_rows[static_cast<std::size_t>(muscle)];
+    if (row.slider != nullptr) {
+        row.share = strength;
+        showValue(row);
+    }
 }
 
 void MusclePanel::setRate(int muscle, double rate) {

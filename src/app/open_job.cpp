@@ -8,10 +8,16 @@ namespace myoface {
 OpenJob::OpenJob(QString path, OpenOptions options, QObject* parent)
     : BackgroundJob(parent), m_path(std::move(path)), m_options(std::move(options)) {}
 
+OpenJob::OpenJob(Recovery recovery, QObject* parent)
+    : BackgroundJob(parent),
+      m_path(QString::fromStdString(recovery.name)),
+      m_recovery(std::move(recovery)) {}
+
 void OpenJob::run() {
     const auto prepared = prepare_fitting();
-    auto opened =
-        std::make_shared<OpenedFace>(open_face(m_path.toStdString(), m_options, &m_progress));
+    auto opened = std::make_shared<OpenedFace>(
+        m_recovery ? recover(*m_recovery, &m_progress)
+                   : open_face(m_path.toStdString(), m_options, &m_progress));
     if (find_missing_landmarks(*opened, &m_progress)) {
         m_result.simulator = make_simulator(*opened, {}, &m_progress);
         m_result.net = fitted_net(m_result.simulator->face());

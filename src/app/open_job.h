@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "myoface/cases/case_file.h"
+#include "myoface/cases/journal.h"
 #include "myoface/face/fitted_net.h"
 
 #include "background_job.h"
@@ -24,9 +25,12 @@ class OpenJob final : public BackgroundJob {
 
 public:
     OpenJob(QString path, OpenOptions options, QObject* parent = nullptr);
+    /// A face that was left behind.
+    explicit OpenJob(Recovery recovery, QObject* parent = nullptr);
     ~OpenJob() override { stop(); }
 
     const QString& path() const { return m_path; }
+    const std::optional<Recovery>& recovery() const { return m_recovery; }
     OpenResult& result() { return m_result; }
 
 private:
@@ -34,6 +38,7 @@ private:
 
     QString m_path;
     OpenOptions m_options;
+    std::optional<Recovery> m_recovery;
     OpenResult m_result;
 };
 

@@ -6,6 +6,8 @@
 
 #include "myoface/base/error.h"
 
+#include "language.h"
+
 namespace myoface {
 
 ReportExport::ReportExport(QObject* parent) : QObject(parent), m_process(this) {
@@ -20,8 +22,8 @@ ReportExport::ReportExport(QObject* parent) : QObject(parent), m_process(this) {
     });
 }
 
-void ReportExport::start(const FaceDocument& document, const QString& file, const QString& patient,
-                         const QString& notes) {
+void ReportExport::start(const FaceDocument& document, const QString& file,
+                         const ReportWords& words, const Population& population) {
     m_file = file;
     m_folder = std::make_unique<QTemporaryDir>();
     if (!m_folder->isValid()) {
@@ -29,14 +31,24 @@ void ReportExport::start(const FaceDocument& document, const QString& file, cons
                       m_folder->errorString().toStdString());
     }
     const QString copy = m_folder->filePath(QStringLiteral("case.myoface"));
-    write_case(copy.toStdString(), document.asSaved(),
-               case_state(*document.model(), document.contractions(), document.skinRest()));
-    QStringList arguments{QStringLiteral("report"), copy, QStringLiteral("-o"), file};
-    if (!patient.isEmpty()) {
-        arguments << QStringLiteral("--patient") << patient;
+    write_case(copy.toStdString(), document.asSaved(), document.state());
+    QStringList arguments{QStringLiteral("report"),     copy,
+                          QStringLiteral("-o"),         file,
+                          QStringLiteral("--age"),      QString::number(population.age),
+                          QStringLiteral("--language"), Language::instance().code()};
+    for (const auto& [option, value] :
+         {std::pair("--title", words.title), std::pair("--patient", words.patient),
+          std::pair("--notes", words.notes), std::pair("--logo", words.logo)}) {
+        if (!value.trimmed().isEmpty()) {
+            arguments << QString::fromLatin1(option) + QLatin1Char('=') + value;
+        }
     }
-    if (!notes.isEmpty()) {
-        arguments << QStringLiteral("--notes") << notes;
+    if (population.sex) {
+        arguments << QStringLiteral("--sex")
+                  << (*population.sex == Sex::Female ? QStringLiteral("f") : QStringLiteral("m"));
+    }
+    if (words.anonymous) {
+        arguments << QStringLiteral("--anonymous");
     }
     m_process.start(
         QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("myoface-cli")),

@@ -7,7 +7,10 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+#include "myoface/measure/measurement.h"
+
 #include "face_document.h"
+#include "report_panel.h"
 
 namespace myoface {
 
@@ -21,8 +24,8 @@ public:
 
     bool running() const { return m_process.state() != QProcess::NotRunning; }
     /// @param file of the PDF @throws IoError when the case cannot be copied
-    void start(const FaceDocument& document, const QString& file, const QString& patient,
-               const QString& notes);
+    void start(const FaceDocument& document, const QString& file, const ReportWords& words,
+               const Population& population);
 
 Q_SIGNALS:
     void written(const QString& file);

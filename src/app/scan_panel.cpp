@@ -7,9 +7,10 @@
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include "panel_layout.h"
 
 namespace myoface {
 namespace {
@@ -42,18 +43,7 @@ QString axesInWords(const std::string& axes) {
 }  // namespace
 
 ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    outer->addWidget(scroll);
-    auto* content = new QWidget;
-    scroll->setWidget(content);
-    auto* layout = new QVBoxLayout(content);
-    layout->setContentsMargins(12, 8, 12, 8);
-    layout->setSpacing(8);
+    QVBoxLayout* layout = scrollingColumn(*this);
     m_text = wrappedLabel();
     m_text->setText(tr("No face is open."));
     layout->addWidget(m_text);

@@ -6,9 +6,11 @@
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include "language.h"
+#include "panel_layout.h"
 
 namespace myoface {
 namespace {
@@ -25,17 +27,8 @@ QDoubleSpinBox* number(double low, double high, double value, int decimals, cons
 
 }  // namespace
 
-ShapePanel::ShapePanel(QWidget* parent) : QWidget(parent), m_measures(target_measures()) {
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto* inside = new QWidget;
-    auto* column = new QVBoxLayout(inside);
-    column->setContentsMargins(10, 8, 10, 8);
-    column->setSpacing(8);
+ShapePanel::ShapePanel(QWidget* parent) : QWidget(parent), m_measures(all_measures()) {
+    QVBoxLayout* column = scrollingColumn(*this);
     column->addWidget(gripGroup());
     column->addWidget(numbersGroup());
     column->addWidget(targetGroup());
@@ -45,8 +38,6 @@ ShapePanel::ShapePanel(QWidget* parent) : QWidget(parent), m_measures(target_mea
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column->addWidget(m_words);
     column->addStretch(1);
-    scroll->setWidget(inside);
-    outer->addWidget(scroll);
 }
 
 QWidget* ShapePanel::gripGroup() {
@@ -127,9 +118,8 @@ QWidget* ShapePanel::targetGroup() {
     auto* form = new QFormLayout(group);
     m_measure = new QComboBox;
     for (const Measure& measure : m_measures) {
-        const std::string plain = measure.title.substr(0, measure.title.find(" ("));
-        m_measure->addItem(QString::fromStdString(plain));
-        if (plain == "tip projection") {
+        m_measure->addItem(inWords(measure.title));
+        if (measure.id == "prn-front") {
             m_measure->setCurrentIndex(m_measure->count() - 1);
         }
     }

@@ -7,6 +7,7 @@
 
 #include "myoface/mesh/cross_section.h"
 #include "myoface/scene/colour_map.h"
+#include "myoface/scene/strokes.h"
 
 #include "commands.h"
 
@@ -18,35 +19,6 @@ const Eigen::Vector3f kGap(1.0F, 0.72F, 0.25F);
 const Eigen::Vector4f kProtected(0.20F, 0.42F, 0.72F, 0.55F);
 constexpr double kNudge = 0.1;           // [mm]
 constexpr double kArrowPerNewton = 6.0;  // [mm]
-
-void add_line(LineLayer& lines, const std::vector<Vec3>& points, const Eigen::Vector3f& colour) {
-    const Eigen::Index first = lines.positions.cols();
-    const auto count = static_cast<Eigen::Index>(points.size());
-    lines.positions.conservativeResize(3, first + count);
-    lines.colours.conservativeResize(3, first + count);
-    for (Eigen::Index k = 0; k < count; ++k) {
-        lines.positions.col(first + k) = points[static_cast<std::size_t>(k)].cast<float>();
-        lines.colours.col(first + k) = colour;
-        if (k > 0) {
-            lines.indices.push_back(static_cast<std::uint32_t>(first + k - 1));
-            lines.indices.push_back(static_cast<std::uint32_t>(first + k));
-        }
-    }
-}
-
-/// A shaft with a head of two strokes, seen from along `view`.
-void add_arrow(LineLayer& lines, const Vec3& from, const Vec3& way, const Vec3& view,
-               const Eigen::Vector3f& colour) {
-    if (!(way.norm() > 0.5)) {
-        return;
-    }
-    const Vec3 tip = from + way;
-    const Vec3 side = way.cross(view).normalized();
-    const double head = std::min(4.0, 0.35 * way.norm());
-    const Vec3 back = -head * way.normalized();
-    add_line(lines, {from, tip}, colour);
-    add_line(lines, {tip + back + 0.5 * head * side, tip, tip + back - 0.5 * head * side}, colour);
-}
 
 }  // namespace
 
@@ -90,11 +62,13 @@ ShapeTools::ShapeTools(FaceDocument& document, FaceView& view, ShapePanel& panel
         Q_EMIT changed();
     });
     connect(&panel, &ShapePanel::clearProtectionAsked, this, [this] {
-        m_protection.setZero();
-        m_inWorker([](SimulationWorker& w) { w.setProtection({}); });
-        paint();
-        Q_EMIT changed();
+        if (m_protection.size() > 0 && m_protection.maxCoeff() > 0.0) {
+            m_document.undoStack()->push(
+                new SetProtectionCommand(m_document, {}, tr("protect nothing")));
+        }
     });
+    connect(&view, &FaceView::brushEnded, this, &ShapeTools::endStroke);
+    connect(&document, &FaceDocument::protectionChanged, this, &ShapeTools::protectionChanged);
 }
 
 void ShapeTools::setScene(FaceScene* scene) {
@@ -104,7 +78,7 @@ void ShapeTools::setScene(FaceScene* scene) {
     m_landmarks = scene != nullptr && m_document.model()
                       ? std::make_unique<LandmarksOnSkin>(m_document.model())
                       : nullptr;
-    m_protection = Eigen::VectorXd::Zero(m_document.model() ? m_document.model()->node_count() : 0);
+    protectionChanged();
     m_panel.setEnabled(m_document.model() != nullptr);
     m_panel.say({});
 }
@@ -169,6 +143,32 @@ void ShapeTools::brush(const SurfacePoint& where) {
     Q_EMIT changed();
 }
 
+void ShapeTools::endStroke() {
+    const Eigen::VectorXd& kept = m_document.protection();
+    const bool same = kept.size() == 0 ? m_protection.isZero(0.0) : m_protection == kept;
+    if (m_document.model() && !same) {
+        m_document.undoStack()->push(
+            new SetProtectionCommand(m_document, m_protection, tr("protected skin")));
+    }
+}
+
+void ShapeTools::protectionChanged() {
+    m_protection = m_document.protection();
+    if (m_protection.size() == 0 && m_document.model()) {
+        m_protection = Eigen::VectorXd::Zero(m_document.model()->node_count());
+    }
+    m_inWorker([share = m_document.protection()](SimulationWorker& w) { w.setProtection(share); });
+    paint();
+    Q_EMIT changed();
+}
+
+void ShapeTools::setPaints(bool paints) {
+    if (paints != m_paints) {
+        m_paints = paints;
+        paint();
+    }
+}
+
 void ShapeTools::nudge(double right, double up) {
     if (!m_gripped || (right == 0.0 && up == 0.0)) {
         Q_EMIT message(tr("Grip a place of the face first; then it can be moved by numbers."));
@@ -190,7 +190,7 @@ void ShapeTools::meet(double value) {
 
 /// Protected skin, and the kernel of the place under the cursor.
 void ShapeTools::paint() {
-    if (m_scene == nullptr || !m_document.model()) {
+    if (m_scene == nullptr || !m_document.model() || !m_paints) {
         return;
     }
     const FaceModel& face = *m_document.model();
@@ -245,7 +245,8 @@ void ShapeTools::draw(SceneData& scene, const SimSnapshot& snapshot) {
         }
         return;
     }
-    if (m_under && m_document.model() && m_view.tool() != Tool::Navigate) {
+    if (m_under && m_document.model() && m_view.tool() != Tool::Navigate &&
+        m_view.tool() != Tool::Measure) {
         const double radius = m_view.tool() == Tool::Protect
                                   ? std::max(3.0, 0.6 * radiusAt(*m_under))
                                   : radiusAt(*m_under);

@@ -31,6 +31,8 @@ public:
 
     /// Another face, or the same one fitted anew; null: none.
     void setScene(FaceScene* scene);
+    /// Whether the skin's colours are the hand's: else something else paints them.
+    void setPaints(bool paints);
     /// Ring, grabbed point, force and what is protected.
     void draw(SceneData& scene, const SimSnapshot& snapshot);
     /// What the hand feels, in words; empty while there is none.
@@ -48,6 +50,8 @@ private:
     void hover(const std::optional<SurfacePoint>& where);
     void place(const SurfacePoint& where);
     void brush(const SurfacePoint& where);
+    void endStroke();
+    void protectionChanged();
     void nudge(double right, double up);
     void meet(double value);
     void paint();
@@ -63,7 +67,8 @@ private:
     std::unique_ptr<LandmarksOnSkin> m_landmarks;
     std::optional<SurfacePoint> m_under;    ///< the cursor
     std::optional<SurfacePoint> m_gripped;  ///< last: nudging goes on with it
-    Eigen::VectorXd m_protection;
+    Eigen::VectorXd m_protection;           ///< with the stroke that is going on
+    bool m_paints = true;
     double m_radiusBefore = 0.0;
 };
 

@@ -7,6 +7,8 @@
 #include "myoface/base/error.h"
 #include "myoface/measure/volume.h"
 
+#include "language.h"
+
 namespace myoface {
 namespace {
 constexpr double kFrameBudget = 11.0;   // of simulation in a frame of 16.7 [ms]
@@ -35,11 +37,21 @@ void SimulationWorker::guarded(const Action& action) {
 void SimulationWorker::setSimulator(std::unique_ptr<Simulator> simulator) {
     m_simulator = std::move(simulator);
     setPace(m_pace);
+    setResponse(m_response);
     wake();
 }
 
 void SimulationWorker::setRate(int muscle, double rate) {
     guarded([&] { m_simulator->set_contraction(muscle, rate); });
+}
+
+void SimulationWorker::setStrength(int muscle, double strength) {
+    guarded([&] { m_simulator->set_strength(muscle, strength); });
+}
+
+void SimulationWorker::setResponse(ResponseForm form) {
+    m_response = form;
+    guarded([&] { m_simulator->set_response(form); });
 }
 
 void SimulationWorker::setSkinRest(const Points& skinRest) {
@@ -90,8 +102,7 @@ QString SimulationWorker::regions(const Points& before, const Points& after) con
     for (const auto& [region, ml] : volume_by_region(m_simulator->face(), before, after)) {
         if (std::abs(ml) >= 0.02) {
             text += tr("\n%1 %2%3")
-                        .arg(QString::fromStdString(region_name(region)),
-                             QLatin1String(ml > 0.0 ? "+" : ""))
+                        .arg(inWords(region_name(region)), QLatin1String(ml > 0.0 ? "+" : ""))
                         .arg(ml, 0, 'f', 2);
         }
     }
@@ -148,13 +159,13 @@ void SimulationWorker::meetTarget(const TargetRequest& request) {
     reshaped([&](DragOutcome& outcome) {
         const TargetReport report = meet_target(*m_simulator, request);
         const int decimals = request.measure.in_degrees() ? 1 : 2;
-        const QString measure = QString::fromStdString(request.measure.title);
+        const QString measure = inWords(request.measure.title);
         outcome.title = tr("%1 %2").arg(measure).arg(report.reached, 0, 'f', 1);
         outcome.words = tr("%1: %2 before, %3 now; %4 moved by %5 mm.")
                             .arg(measure)
                             .arg(report.before, 0, 'f', decimals)
                             .arg(report.reached, 0, 'f', decimals)
-                            .arg(QString::fromStdString(report.landmark))
+                            .arg(landmarkInWords(report.landmark))
                             .arg(report.moved_mm, 0, 'f', 1);
     });
 }

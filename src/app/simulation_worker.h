@@ -34,6 +34,8 @@ public:
     // All of these are called in the worker's thread.
     void setSimulator(std::unique_ptr<Simulator> simulator);
     void setRate(int muscle, double rate);
+    void setStrength(int muscle, double strength);
+    void setResponse(ResponseForm form);
     void setSkinRest(const Points& skinRest);
     void beginDrag(const DragRequest& request, const ViewRay& ray);
     void moveDrag(const ViewRay& ray);
@@ -69,6 +71,7 @@ private:
     QElapsedTimer m_clock;
     FrameGovernor m_governor;
     double m_pace = 0.0;
+    ResponseForm m_response = ResponseForm::Smooth;
     int m_sinceChange = 0;  ///< frames
     std::uint64_t m_frame = 0;
 };

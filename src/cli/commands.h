@@ -9,6 +9,7 @@ namespace myoface::cli {
 void add_info(CLI::App& app);
 void add_landmarks(CLI::App& app);
 void add_measure(CLI::App& app);
+void add_compare(CLI::App& app);
 void add_generate(CLI::App& app);
 void add_fit(CLI::App& app);
 void add_simulate(CLI::App& app);

@@ -6,6 +6,21 @@
 
 namespace myoface::cli {
 
+void PopulationArguments::add_to(CLI::App& command) {
+    command.add_option("--sex", sex, "f or m; both sexes' norms when absent")
+        ->check(CLI::IsMember({"f", "m"}));
+    command.add_option("--age", age, "years; the norms cover 20 to 25");
+}
+
+Population PopulationArguments::chosen() const {
+    Population population;
+    population.age = age;
+    if (!sex.empty()) {
+        population.sex = sex == "f" ? Sex::Female : Sex::Male;
+    }
+    return population;
+}
+
 void FaceArguments::add_to(CLI::App& command) {
     command
         .add_option("FACE", face, "OBJ, PLY, STL, glTF, GLB or .myoface file, or the word generic")

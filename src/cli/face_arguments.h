@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "myoface/cases/case_file.h"
+#include "myoface/measure/measurement.h"
 #include "myoface/sim/plan.h"
 
 namespace myoface::cli {
@@ -18,6 +19,15 @@ struct FaceArguments {
     void add_to(CLI::App& command);
     /// Opens the face. @throws Error
     OpenedFace open() const;
+};
+
+/// --sex and --age: whose norms.
+struct PopulationArguments {
+    std::string sex;
+    double age = 25.0;
+
+    void add_to(CLI::App& command);
+    Population chosen() const;
 };
 
 /// --muscle, --expression, --strength, --drag, --plan, in the order: plan, strengths, expressions,

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
         myoface::cli::add_info(app);
         myoface::cli::add_landmarks(app);
         myoface::cli::add_measure(app);
+        myoface::cli::add_compare(app);
         myoface::cli::add_generate(app);
         myoface::cli::add_fit(app);
         myoface::cli::add_simulate(app);

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "myoface/base/error.h"
-#include "myoface/measure/landmarks_on_skin.h"
+#include "myoface/measure/measurement.h"
 #include "myoface/measure/volume.h"
 #include "myoface/scene/colour_map.h"
 #include "myoface/scene/face_scene.h"
@@ -22,8 +22,9 @@ namespace {
 struct Arguments {
     FaceArguments face;
     EditArguments edits;
-    std::string title = "Facial simulation", patient, notes, date, logo, sex, output;
-    double age = 25.0;
+    PopulationArguments population;
+    std::string title, patient, notes, date, logo, output, language = "en";
+    bool anonymous = false;
 };
 
 std::string today() {
@@ -33,8 +34,44 @@ std::string today() {
     return text;
 }
 
+/// A black bar from the outermost to the innermost corner of the eyes that the picture shows.
+void cover_eyes(Image& picture, const Camera& camera, const Landmarks& landmarks) {
+    constexpr double kAround = 14.0;  // [mm]
+    const Vec3 right = camera.orientation * Vec3::UnitX();
+    const Vec3 up = camera.orientation * Vec3::UnitY();
+    double left = picture.width;
+    double most = 0.0;
+    double top = picture.height;
+    double bottom = 0.0;
+    for (const char* name : {"en_l", "en_r", "ex_l", "ex_r"}) {
+        const auto found = landmarks.find(name);
+        if (found == landmarks.end()) {
+            continue;
+        }
+        for (const double side : {-1.0, 1.0}) {
+            const PixelPoint p =
+                project(camera, found->second.position + side * kAround * (right + up),
+                        picture.width, picture.height);
+            left = std::min(left, p.x);
+            most = std::max(most, p.x);
+            top = std::min(top, p.y);
+            bottom = std::max(bottom, p.y);
+        }
+    }
+    for (int y = std::max(0, static_cast<int>(top));
+         y < std::min(picture.height, static_cast<int>(bottom)); ++y) {
+        for (int x = std::max(0, static_cast<int>(left));
+             x < std::min(picture.width, static_cast<int>(most)); ++x) {
+            std::uint8_t* pixel = &picture.rgba[4 * (static_cast<std::size_t>(y) *
+                                                         static_cast<std::size_t>(picture.width) +
+                                                     static_cast<std::size_t>(x))];
+            std::fill(pixel, pixel + 3, std::uint8_t{12});
+        }
+    }
+}
+
 /// The face from one side, as a picture for paper.
-Image drawn(FaceScene& scene, const Landmarks& landmarks, const std::string& view) {
+Image drawn(FaceScene& scene, const Landmarks& landmarks, const std::string& view, bool anonymous) {
     constexpr int kWidth = 900;
     constexpr int kHeight = 1000;
     scene.scene().background_top = {0.93F, 0.94F, 0.95F};
@@ -44,7 +81,11 @@ Image drawn(FaceScene& scene, const Landmarks& landmarks, const std::string& vie
     const auto nose = landmarks.count("prn") != 0 ? landmarks.at("prn") : landmarks.at("sn");
     frame(camera, nose.position + Vec3(0.0, 4.0, -82.0), 116.0,
           static_cast<double>(kWidth) / kHeight);
-    return draw_picture(scene.scene(), camera, kWidth, kHeight);
+    Image picture = draw_picture(scene.scene(), camera, kWidth, kHeight);
+    if (anonymous) {
+        cover_eyes(picture, camera, landmarks);
+    }
+    return picture;
 }
 
 SimSnapshot moment(const Simulator& simulator, bool before) {
@@ -59,8 +100,12 @@ SimSnapshot moment(const Simulator& simulator, bool before) {
     return snapshot;
 }
 
-void add_pictures(Report& report, const Simulator& simulator, const OpenedFace& opened) {
-    FaceScene scene(simulator.face().scan, opened.texture);
+void add_pictures(Report& report, const Simulator& simulator, const OpenedFace& opened,
+                  bool anonymous) {
+    FaceScene scene(simulator.face().scan, anonymous ? nullptr : opened.texture);
+    if (anonymous) {
+        scene.scene().skin.colours.resize(3, 0);
+    }
     scene.set_face(simulator.shared_face(), simulator.system().model.springs,
                    simulator.system().chains);
     const Landmarks& landmarks = simulator.face().landmarks;
@@ -70,9 +115,9 @@ void add_pictures(Report& report, const Simulator& simulator, const OpenedFace& 
         ReportView pair;
         pair.caption = caption;
         scene.show(moment(simulator, true));
-        pair.before = drawn(scene, landmarks, view);
+        pair.before = drawn(scene, landmarks, view, anonymous);
         scene.show(moment(simulator, false));
-        pair.after = drawn(scene, landmarks, view);
+        pair.after = drawn(scene, landmarks, view, anonymous);
         report.views.push_back(std::move(pair));
     }
     const int n = simulator.face().node_count();
@@ -88,7 +133,7 @@ void add_pictures(Report& report, const Simulator& simulator, const OpenedFace& 
         tint.col(i) << colour_map(moved.col(i).norm() / report.heat_map_mm), 1.0F;
     }
     scene.tint_nodes(tint);
-    report.heat_map = drawn(scene, landmarks, "three-quarter-left");
+    report.heat_map = drawn(scene, landmarks, "three-quarter-left", anonymous);
 }
 
 void add_numbers(Report& report, const Simulator& simulator, const Arguments& a) {
@@ -96,26 +141,15 @@ void add_numbers(Report& report, const Simulator& simulator, const Arguments& a)
     const LandmarksOnSkin places(face);
     const Points& before = face->skin.mesh.vertices;
     const Points& after = simulator.state().positions;
-    std::optional<Sex> sex;
-    if (!a.sex.empty()) {
-        sex = a.sex == "f" ? Sex::Female : Sex::Male;
-    }
-    const std::vector<Norm> known = norms(sex, a.age);
-    for (const Measure& measure : target_measures()) {
-        const auto was = places.measure(measure, before);
-        const auto is = places.measure(measure, after);
-        if (!was || !is) {
-            continue;
+    for (const Measurement& row : measure_all(places, before, after, a.population.chosen())) {
+        ReportMeasure line{row.measure.title, row.measure.in_degrees(), row.value, *row.other,
+                           std::nullopt};
+        if (row.norm) {
+            line.norm = {row.norm->mean, row.norm->sd};
         }
-        ReportMeasure row{measure.title, measure.in_degrees(), *was, *is, std::nullopt};
-        for (const Norm& norm : known) {
-            if (norm.measure.id == measure.id) {
-                row.norm = {norm.mean, norm.sd};
-            }
-        }
-        report.measures.push_back(std::move(row));
+        report.measures.push_back(std::move(line));
     }
-    report.population = "norm: adults of European descent, 20 to 25 years; band: mean ± 2 sd";
+    report.population = std::string("norm: ") + Population::name() + "; band: mean ± 2 sd";
     for (const auto& [region, ml] : volume_by_region(*face, before, simulator.skin_rest())) {
         if (std::abs(ml) >= 0.02) {
             report.volumes.emplace_back(region_name(region), ml);
@@ -123,7 +157,7 @@ void add_numbers(Report& report, const Simulator& simulator, const Arguments& a)
     }
     for (std::size_t m = 0; m < face->muscles.size(); ++m) {
         if (simulator.contractions().rate[m] != 0.0) {
-            report.muscles.emplace_back(face->muscles[m].traits.name,
+            report.muscles.emplace_back(face->muscles[m].traits.title,
                                         simulator.contractions().rate[m]);
         }
     }
@@ -143,15 +177,16 @@ void make_report(const Arguments& a) {
         simulator->settle();
     }
     Report report;
+    report.language = a.language;
     report.title = a.title;
     report.patient = a.patient;
-    report.face = opened.name;
+    report.face = a.anonymous ? std::string() : opened.name;
     report.date = a.date.empty() ? today() : a.date;
-    report.notes = a.notes;
+    report.notes = a.notes.empty() ? opened.state.notes : a.notes;
     if (!a.logo.empty()) {
         report.logo = read_image(a.logo);
     }
-    add_pictures(report, *simulator, opened);
+    add_pictures(report, *simulator, opened, a.anonymous);
     add_numbers(report, *simulator, a);
     write_report(a.output, report);
 }
@@ -168,9 +203,10 @@ void add_report(CLI::App& app) {
     command->add_option("--notes", a->notes, "text at the end");
     command->add_option("--date", a->date, "instead of today");
     command->add_option("--logo", a->logo, "PNG or JPEG of the clinic");
-    command->add_option("--sex", a->sex, "f or m; both sexes' norms when absent")
-        ->check(CLI::IsMember({"f", "m"}));
-    command->add_option("--age", a->age, "years; the norms cover 20 to 25");
+    a->population.add_to(*command);
+    command->add_option("--language", a->language, "of the report: en or ja")
+        ->check(CLI::IsMember({"en", "ja"}));
+    command->add_flag("--anonymous", a->anonymous, "plain skin and a bar over the eyes");
     command->add_option("-o", a->output, "PDF file")->required();
     command->callback([a] { make_report(*a); });
 }

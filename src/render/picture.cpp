@@ -151,7 +151,7 @@ Image draw_picture(const SceneData& scene, const Camera& camera, int width, int 
     }
     Renderer renderer;
     renderer.initialise();
-    renderer.draw(scene, camera, big_width, big_height, 2.0F);
+    renderer.draw(scene, camera, {0, 0, big_width, big_height}, 2.0F);
     std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(big_width) *
                                      static_cast<std::size_t>(big_height));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -184,7 +185,7 @@ void Renderer::upload(Lines& lines, const LineLayer& layer) {
     lines.count = static_cast<int>(layer.indices.size());
 }
 
-void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int height,
+void Renderer::draw(const SceneData& scene, const Camera& camera, const Pane& pane,
                     float pixel_ratio) {
     constexpr std::size_t kSkin = 3;
     const std::array<const SurfaceLayer*, kSkin + 1> layers{&scene.bone, &scene.mouth,
@@ -214,21 +215,27 @@ void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int
     topology_ = scene.topology;
     motion_ = scene.motion;
 
-    glViewport(0, 0, width, height);
-    glDisable(GL_SCISSOR_TEST);
+    glViewport(pane.x, pane.y, pane.width, pane.height);
+    const int from = std::max(pane.x, pane.clip_from);
+    const int to = std::min(pane.x + pane.width, pane.clip_to);
+    glScissor(from, pane.y, std::max(to - from, 0), pane.height);
+    glEnable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClear(pane.over ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    draw_background(scene);
+    if (!pane.over) {
+        draw_background(scene);
+    }
 
     const double reach = scene.radius + (scene.centre - camera.target).norm();
     view_ = camera.view_matrix().cast<float>();
-    projection_ =
-        camera.projection_matrix(static_cast<double>(width) / std::max(height, 1), 1.2 * reach)
-            .cast<float>();
+    projection_ = camera
+                      .projection_matrix(static_cast<double>(pane.width) / std::max(pane.height, 1),
+                                         1.2 * reach)
+                      .cast<float>();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -236,7 +243,7 @@ void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int
             draw_lines(lines_[0], scene.springs);  // seen through the skin
         }
         set_cut(scene, i == kSkin);
-        draw_surface(surfaces_[i], *layers[i]);
+        draw_surface(surfaces_[i], *layers[i], i == kSkin);
     }
     if (layers[kSkin]->opacity >= 1.0F) {
         draw_lines(lines_[0], scene.springs);
@@ -252,6 +259,7 @@ void Renderer::draw(const SceneData& scene, const Camera& camera, int width, int
     glBindVertexArray(0);
     glUseProgram(0);
     glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void Renderer::draw_background(const SceneData& scene) const {
@@ -270,7 +278,7 @@ void Renderer::set_cut(const SceneData& scene, bool is_skin) const {
     set(skin_program_, "cutOffset", scene.cut_offset);
 }
 
-void Renderer::draw_surface(const Surface& surface, const SurfaceLayer& layer) const {
+void Renderer::draw_surface(const Surface& surface, const SurfaceLayer& layer, bool is_skin) const {
     if (layer.opacity <= 0.0F || surface.count == 0) {
         return;
     }
@@ -282,8 +290,9 @@ void Renderer::draw_surface(const Surface& surface, const SurfaceLayer& layer) c
     set(skin_program_, "opacity", layer.opacity);
     set(skin_program_, "gloss", layer.gloss);
     set(skin_program_, "softness", layer.softness);
-    set(skin_program_, "hasColours", surface.has_colours);
-    set(skin_program_, "hasTexture", surface.texture != 0);
+    set(skin_program_, "hasColours", surface.has_colours && (style.textured || !is_skin));
+    set(skin_program_, "hasTexture", surface.texture != 0 && (style.textured || !is_skin));
+    set(skin_program_, "clinical", style.clinical_light);
     glVertexAttrib1f(kCavity, 0.0F);
     glVertexAttrib4f(kTint, 0.0F, 0.0F, 0.0F, 0.0F);
     if (surface.texture != 0) {
@@ -301,6 +310,18 @@ void Renderer::draw_surface(const Surface& surface, const SurfaceLayer& layer) c
         glDisable(GL_BLEND);
     }
     glDrawElements(GL_TRIANGLES, surface.count, GL_UNSIGNED_INT, nullptr);
+    if (is_skin && style.wireframe) {
+        glEnable(GL_BLEND);
+        glDepthRange(0.0, 0.9999);  // on the surface, not in it
+        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+        set(skin_program_, "plainColour", Eigen::Vector3f(0.10F, 0.14F, 0.20F));
+        set(skin_program_, "hasColours", false);
+        set(skin_program_, "hasTexture", false);
+        set(skin_program_, "opacity", 0.45F * layer.opacity);
+        glDrawElements(GL_TRIANGLES, surface.count, GL_UNSIGNED_INT, nullptr);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        glDepthRange(0.0, 1.0);
+    }
     glDisable(GL_BLEND);
 }
 

@@ -10,6 +10,13 @@
 
 namespace myoface {
 
+/// Where in the framebuffer a picture goes [px], from the lower left corner.
+struct Pane {
+    int x = 0, y = 0, width = 0, height = 0;
+    int clip_from = 0, clip_to = 1 << 20;  ///< columns of the framebuffer that are touched
+    bool over = false;                     ///< drawn over what is there instead of clearing it
+};
+
 /// Draws a SceneData with OpenGL 3.3 core into the framebuffer that is bound. All members need the
 /// same current context; release() must be called before it goes.
 class Renderer {
@@ -19,11 +26,12 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
+    ViewStyle style;
+
     /// Compiles the shaders. @throws Error with the compiler's words
     void initialise();
     void release();
-    void draw(const SceneData& scene, const Camera& camera, int width, int height,
-              float pixel_ratio);
+    void draw(const SceneData& scene, const Camera& camera, const Pane& pane, float pixel_ratio);
 
 private:
     struct Surface {
@@ -42,7 +50,7 @@ private:
     static void upload(Lines& lines, const LineLayer& layer);
     void draw_background(const SceneData& scene) const;
     void set_cut(const SceneData& scene, bool is_skin) const;
-    void draw_surface(const Surface& surface, const SurfaceLayer& layer) const;
+    void draw_surface(const Surface& surface, const SurfaceLayer& layer, bool is_skin) const;
     void draw_lines(const Lines& lines, const LineLayer& layer) const;
     void draw_markers(const SceneData& scene, float pixel_ratio);
 

@@ -16,6 +16,8 @@
 #include "myoface/io/text_file.h"
 #include "myoface/scene/colour_map.h"
 
+#include "catalogue.h"
+
 namespace myoface {
 namespace {
 
@@ -25,6 +27,7 @@ const QColor kInk(32, 38, 46);
 const QColor kFaint(120, 130, 140);
 const QColor kRule(208, 214, 220);
 const QColor kAccent(44, 110, 168);
+const char* const kContext = "report";
 const char* const kDisclaimer =
     "A planning and communication aid, not a medical device. What is shown is an estimate, not a "
     "promise of a result.";
@@ -55,7 +58,15 @@ void need_application() {
 /// Draws down the pages; lengths in mm.
 class Sheet {
 public:
-    explicit Sheet(QPdfWriter& writer) : m_writer(writer), m_painter(&writer) { foot(); }
+    Sheet(QPdfWriter& writer, const Catalogue& catalogue)
+        : m_writer(writer), m_painter(&writer), m_catalogue(catalogue) {
+        foot();
+    }
+
+    /// Our own words in the report's language.
+    QString say(const char* english) const { return said(kContext, english); }
+    /// Words of the core library.
+    QString core(const std::string& english) const { return said(kCoreWords, english.c_str()); }
 
     double y = kTop;
 
@@ -69,10 +80,7 @@ public:
     }
     double text(const QString& what, double x, double width, double points, const QColor& colour,
                 int flags = Qt::AlignLeft, bool bold = false) {
-        QFont font(QStringLiteral("DejaVu Sans"));
-        font.setPointSizeF(points);
-        font.setBold(bold);
-        m_painter.setFont(font);
+        m_painter.setFont(font(points, bold));
         m_painter.setPen(colour);
         const QRectF box(px(x), px(y), px(width), px(200.0));
         QRectF used;
@@ -86,9 +94,7 @@ public:
     }
     /// Lines of text, over as many pages as they take.
     void lines(const QString& what, double points) {
-        QFont font(QStringLiteral("DejaVu Sans"));
-        font.setPointSizeF(points);
-        const QFontMetricsF metrics(font, &m_writer);
+        const QFontMetricsF metrics(font(points), &m_writer);
         for (const QString& line : what.split(QLatin1Char('\n'))) {
             need(metrics
                      .boundingRect(QRectF(0.0, 0.0, px(kRight - kLeft), px(250.0)),
@@ -153,16 +159,35 @@ private:
         y = kBottom - 5.0;
         rule();
         y += 1.2;
-        text(QString::fromLatin1(kDisclaimer), kLeft, 150.0, 7.0, kFaint);
+        text(say(kDisclaimer), kLeft, 150.0, 7.0, kFaint);
         text(QStringLiteral("Myoface %1 · %2").arg(QStringLiteral(MYOFACE_VERSION)).arg(m_page),
              kRight - 40.0, 40.0, 7.0, kFaint, Qt::AlignRight);
         y = back;
     }
 
+    QString said(const char* context, const char* english) const {
+        const QString source = QString::fromUtf8(english);
+        const QString found = m_catalogue.find(QString::fromUtf8(context), source);
+        return found.isEmpty() ? source : found;
+    }
+    static QFont font(double points, bool bold = false) {
+        QFont result;
+        result.setFamilies({QStringLiteral("DejaVu Sans"), QStringLiteral("IPAPGothic"),
+                            QStringLiteral("Noto Sans CJK JP")});
+        result.setPointSizeF(points);
+        result.setBold(bold);
+        return result;
+    }
+
     QPdfWriter& m_writer;
     QPainter m_painter;
+    const Catalogue& m_catalogue;
     int m_page = 1;
 };
+
+QString title_of(const Sheet& sheet, const Report& report) {
+    return report.title.empty() ? sheet.say("Facial simulation") : words(report.title);
+}
 
 void draw_head(Sheet& sheet, const Report& report) {
     if (report.logo) {
@@ -170,7 +195,8 @@ void draw_head(Sheet& sheet, const Report& report) {
         sheet.image(*report.logo, kRight - height * report.logo->width / report.logo->height,
                     height * report.logo->width / report.logo->height);
     }
-    sheet.y += sheet.text(words(report.title), kLeft, 130.0, 19.0, kInk, Qt::AlignLeft, true) + 1.5;
+    sheet.y +=
+        sheet.text(title_of(sheet, report), kLeft, 130.0, 19.0, kInk, Qt::AlignLeft, true) + 1.5;
     QString line = words(report.date);
     for (const std::string& part : {report.patient, report.face}) {
         if (!part.empty()) {
@@ -185,13 +211,13 @@ void draw_head(Sheet& sheet, const Report& report) {
 void draw_views(Sheet& sheet, const Report& report) {
     constexpr double kWidth = 62.0;
     const double columns[2] = {kLeft + 22.0, kLeft + 22.0 + kWidth + 6.0};
-    sheet.text(QStringLiteral("before"), columns[0], kWidth, 9.0, kFaint);
-    sheet.text(QStringLiteral("after"), columns[1], kWidth, 9.0, kAccent);
+    sheet.text(sheet.say("before"), columns[0], kWidth, 9.0, kFaint);
+    sheet.text(sheet.say("after"), columns[1], kWidth, 9.0, kAccent);
     sheet.y += 5.0;
     for (const ReportView& view : report.views) {
         const double height = kWidth * view.before.height / std::max(view.before.width, 1);
         sheet.need(height + 4.0);
-        sheet.text(words(view.caption), kLeft, 21.0, 9.0, kInk);
+        sheet.text(sheet.core(view.caption), kLeft, 21.0, 9.0, kInk);
         sheet.image(view.before, columns[0], kWidth);
         sheet.image(view.after, columns[1], kWidth);
         sheet.y += height + 3.0;
@@ -202,7 +228,7 @@ void draw_change(Sheet& sheet, const Report& report) {
     if (!report.heat_map) {
         return;
     }
-    sheet.heading(QStringLiteral("What moves"));
+    sheet.heading(sheet.say("What moves"));
     constexpr double kWidth = 54.0;
     sheet.need(kWidth * report.heat_map->height / std::max(report.heat_map->width, 1) + 12.0);
     const double top = sheet.y;
@@ -211,18 +237,18 @@ void draw_change(Sheet& sheet, const Report& report) {
     const double width = kRight - x;
     sheet.y +=
         sheet.text(
-            QStringLiteral("The skin moves by up to %1 mm.").arg(report.largest_move_mm, 0, 'f', 1),
-            x, width, 9.5, kInk) +
+            sheet.say("The skin moves by up to %1 mm.").arg(report.largest_move_mm, 0, 'f', 1), x,
+            width, 9.5, kInk) +
         3.0;
     for (const auto& [region, ml] : report.volumes) {
-        sheet.text(words(region), x, 40.0, 9.0, kInk);
+        sheet.text(sheet.core(region), x, 40.0, 9.0, kInk);
         sheet.text(
             QStringLiteral("%1%2 mL").arg(QLatin1String(ml > 0.0 ? "+" : "")).arg(ml, 0, 'f', 2),
             x + 40.0, 24.0, 9.0, kInk, Qt::AlignRight);
         sheet.y += 5.0;
     }
     for (const auto& [muscle, rate] : report.muscles) {
-        sheet.text(words(muscle), x, 70.0, 9.0, kFaint);
+        sheet.text(sheet.core(muscle), x, 70.0, 9.0, kFaint);
         sheet.text(QStringLiteral("%1 %").arg(100.0 * rate, 0, 'f', 0), x + 70.0, 24.0, 9.0, kFaint,
                    Qt::AlignRight);
         sheet.y += 4.6;
@@ -238,7 +264,7 @@ void draw_measures(Sheet& sheet, const Report& report) {
     if (report.measures.empty()) {
         return;
     }
-    sheet.heading(QStringLiteral("Measures"));
+    sheet.heading(sheet.say("Measures"));
     const double columns[5] = {kLeft, kLeft + 66.0, kLeft + 86.0, kLeft + 106.0, kLeft + 130.0};
     const auto row = [&](const QString(&cells)[4], const QColor& colour) {
         sheet.text(cells[0], columns[0], 66.0, 8.5, colour);
@@ -246,10 +272,9 @@ void draw_measures(Sheet& sheet, const Report& report) {
             sheet.text(cells[c], columns[c], 18.0, 8.5, colour, Qt::AlignRight);
         }
     };
-    row({QString(), QStringLiteral("before"), QStringLiteral("after"), QStringLiteral("change")},
-        kFaint);
+    row({QString(), sheet.say("before"), sheet.say("after"), sheet.say("change")}, kFaint);
     if (!report.population.empty()) {
-        sheet.text(words(report.population), columns[4], kRight - columns[4], 6.5, kFaint,
+        sheet.text(sheet.core(report.population), columns[4], kRight - columns[4], 6.5, kFaint,
                    Qt::AlignHCenter);
     }
     sheet.y += 6.0;
@@ -258,7 +283,7 @@ void draw_measures(Sheet& sheet, const Report& report) {
         const QString unit = m.degrees ? QStringLiteral("°") : QStringLiteral(" mm");
         const double change = m.after - m.before;
         const bool changed = std::abs(change) >= 0.05;
-        row({words(m.title), QString::number(m.before, 'f', 1) + unit,
+        row({sheet.core(m.title), QString::number(m.before, 'f', 1) + unit,
              QString::number(m.after, 'f', 1) + unit,
              changed ? QLatin1String(change > 0.0 ? "+" : "") + QString::number(change, 'f', 1)
                      : QStringLiteral("·")},
@@ -281,15 +306,16 @@ void write_report(const std::filesystem::path& file, const Report& report) {
         writer.setPageSize(QPageSize(QPageSize::A4));
         writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
         writer.setResolution(kResolution);
-        writer.setTitle(words(report.title));
         writer.setCreator(QStringLiteral("Myoface"));
-        Sheet sheet(writer);
+        writer.setTitle(words(report.title.empty() ? "Facial simulation" : report.title));
+        const Catalogue catalogue(QString::fromStdString(report.language));
+        Sheet sheet(writer, catalogue);
         draw_head(sheet, report);
         draw_views(sheet, report);
         draw_change(sheet, report);
         draw_measures(sheet, report);
         if (!report.notes.empty()) {
-            sheet.heading(QStringLiteral("Notes"));
+            sheet.heading(sheet.say("Notes"));
             sheet.lines(words(report.notes), 9.5);
         }
     }

@@ -26,9 +26,10 @@ struct ReportMeasure {
 
 /// What a printed report says. Texts are UTF-8.
 struct Report {
-    std::string title = "Facial simulation";
-    std::string patient;  ///< a pseudonym
-    std::string face;     ///< the scan's name
+    std::string language = "en";  ///< of the words that are not given
+    std::string title;            ///< "Facial simulation" where there is none
+    std::string patient;          ///< a pseudonym
+    std::string face;             ///< the scan's name
     std::string date;
     std::string notes;
     std::optional<Image> logo;

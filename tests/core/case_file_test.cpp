@@ -132,7 +132,7 @@ TEST(CaseFile, CarriesTheShapeIntoAnotherFrame) {
     options.mm_per_unit = 10.0 * face.scan->frame.mm_per_unit;
     options.axes = axes_from_text("+x-z+y");  // the file's y is our -z
     const OpenedFace back = open_face((folder / "c.myoface").string(), options);
-    EXPECT_TRUE(back.shape.col(2).isApprox(Vec3(0.0, 0.0, -20.0)));
+    EXPECT_TRUE(back.state.shape.col(2).isApprox(Vec3(0.0, 0.0, -20.0)));
 }
 
 TEST(CaseFile, KeepsMaterialsAndPictures) {

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <gtest/gtest.h>
 
 int main(int argc, char** argv) {
@@ -12,7 +13,12 @@ int main(int argc, char** argv) {
     format.setDepthBufferSize(24);
     QSurfaceFormat::setDefaultFormat(format);
     qputenv("MYOFACE_UNATTENDED", "1");
+    const QTemporaryDir home;  // nobody's settings and journals
+    qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
+    qputenv("XDG_DATA_HOME", home.filePath("data").toUtf8());
     QApplication application(argc, argv);
+    QApplication::setApplicationName("Myoface");
+    QApplication::setOrganizationName("Myoface");
     std::setlocale(LC_NUMERIC, "C");
     ::testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

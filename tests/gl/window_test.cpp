@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QInputDialog>
 #include <QMimeData>
@@ -17,8 +18,15 @@
 #include "myoface/measure/landmarks_on_skin.h"
 #include "myoface/measure/volume.h"
 
+#include "action_search.h"
+#include "callipers.h"
+#include "compare_panel.h"
+#include "comparison.h"
+#include "face_files.h"
+#include "journal_keeper.h"
 #include "landmark_panel.h"
 #include "main_window.h"
+#include "measure_panel.h"
 #include "muscle_panel.h"
 #include "shape_panel.h"
 #include "test_meshes.h"
@@ -40,6 +48,7 @@ protected:
         window_.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
     }
+    void TearDown() override { window_.close(); }
     void open(const QString& path) {
         QSignalSpy opened(&window_, &MainWindow::opened);
         QSignalSpy failed(&window_, &MainWindow::openFailed);
@@ -268,12 +277,236 @@ TEST_F(Window, ProtectedSkinIsNotGripped) {
     ASSERT_TRUE(settle());
     window_.view().setTool(Tool::Protect);
     drag(pixel("prn"), {6, 0});
+    EXPECT_EQ(window_.document().undoStack()->count(), 1);  // the stroke is one step
+    EXPECT_GT(window_.document().protection().maxCoeff(), 0.9);
     window_.view().setTool(Tool::Shape);
     drag(pixel("prn"), {0, -20});
     ASSERT_TRUE(settle());
-    EXPECT_EQ(window_.document().undoStack()->count(), 0);
+    EXPECT_EQ(window_.document().undoStack()->count(), 1);
     auto* words = window_.shape().findChild<QLabel*>("words");
     EXPECT_TRUE(words->text().contains("protected"));
+    window_.document().undoStack()->undo();
+    drag(pixel("prn"), {0, -20});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(window_.document().undoStack()->count(), 1);  // shaped in place of the stroke
+    EXPECT_NE(window_.document().skinRest(), window_.document().model()->skin.mesh.vertices);
+}
+
+TEST_F(Window, EveryStepShowsItsPanels) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    const std::map<QString, QString> panel{{"scan", "scan"},       {"fit", "landmarks"},
+                                           {"shape", "shape"},     {"expression", "muscles"},
+                                           {"compare", "compare"}, {"report", "report"}};
+    for (const auto& [step, name] : panel) {
+        auto* action = window_.findChild<QAction*>("step-" + step);
+        ASSERT_NE(action, nullptr);
+        action->trigger();
+        EXPECT_EQ(window_.step(), step);
+        for (const auto& [other, hidden] : panel) {
+            EXPECT_EQ(window_.findChild<QDockWidget*>(hidden)->isVisible(), hidden == name)
+                << step.toStdString() << ' ' << hidden.toStdString();
+        }
+    }
+    // What was moved by hand comes back with its step.
+    window_.showStep("shape");
+    window_.findChild<QDockWidget*>("history")->hide();
+    window_.showStep("scan");
+    window_.showStep("shape");
+    EXPECT_FALSE(window_.findChild<QDockWidget*>("history")->isVisible());
+}
+
+TEST_F(Window, ComparesBeforeAndAfter) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.showStep("compare");
+    window_.addExpression("joy", 1.0);
+    ASSERT_TRUE(settle());
+    ComparePanel& panel = window_.comparePanel();
+    std::vector<QImage> pictures{window_.view().grabFramebuffer()};
+    for (const CompareMode mode :
+         {CompareMode::SideBySide, CompareMode::Wipe, CompareMode::Ghost}) {
+        panel.setMode(mode);
+        EXPECT_EQ(window_.view().compareMode(), mode);
+        pictures.push_back(window_.view().grabFramebuffer());
+    }
+    panel.setMap(true);
+    pictures.push_back(window_.view().grabFramebuffer());
+    panel.setMode(CompareMode::Off);
+    for (std::size_t a = 0; a < pictures.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            EXPECT_NE(pictures[a], pictures[b]) << a << ' ' << b;
+        }
+    }
+    EXPECT_EQ(window_.view().grabFramebuffer(), pictures[0]);  // nothing is left behind
+    // A share of the change is between before and now.
+    const auto width = [&] {
+        for (const Measurement& row : window_.measures().rows()) {
+            if (row.measure.id == "ch-ch") {
+                return *row.other;
+            }
+        }
+        return 0.0;
+    };
+    QTest::qWait(150);
+    panel.setShare(0.0);
+    QTest::qWait(20);
+    const double before = width();
+    QTest::qWait(150);
+    panel.setShare(0.5);
+    const double half = width();
+    QTest::qWait(150);
+    panel.setShare(1.0);
+    const double now = width();
+    EXPECT_GT(now, before + 4.0);
+    EXPECT_NEAR(half, 0.5 * (before + now), 0.3);
+}
+
+TEST_F(Window, DragsTheWipeWithTheMouse) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.comparePanel().setMode(CompareMode::Wipe);
+    const int width = window_.view().width();
+    drag({width / 2, 40}, {width / 4, 0});
+    EXPECT_NEAR(window_.view().wipe(), 0.75, 0.02);
+    EXPECT_EQ(window_.document().undoStack()->count(), 0);
+}
+
+TEST_F(Window, KeepsVariantsAndComparesWithThem) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.setRates("zygomaticus_major", 1.0);
+    ASSERT_TRUE(settle());
+    window_.comparison().storeVariant();
+    ASSERT_EQ(window_.document().variants().size(), 1U);
+    EXPECT_EQ(window_.document().variants()[0].name, "A");
+    window_.document().undoStack()->undo();
+    window_.document().undoStack()->undo();
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(window_.document().variants().empty());
+    window_.document().undoStack()->redo();
+    window_.document().undoStack()->redo();
+    window_.setRates("zygomaticus_major", 0.0);
+    ASSERT_TRUE(settle());
+    window_.comparePanel().setReference(0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_.settled(); }, kPatience));
+    const Points& smile = window_.comparison().before();
+    EXPECT_GT((smile.leftCols(window_.document().skinRest().cols()) -
+               window_.document().model()->skin.mesh.vertices)
+                  .colwise()
+                  .norm()
+                  .maxCoeff(),
+              5.0);
+    Q_EMIT window_.comparePanel().showAsked(0);
+    const auto& rates = window_.document().contractions().rate;
+    EXPECT_EQ(*std::max_element(rates.begin(), rates.end()), 1.0);
+    // They come back with the case.
+    const QString file = QString::fromStdString((folder_ / "v.myoface").string());
+    ASSERT_TRUE(window_.files().saveCaseTo(file));
+    open(file);
+    ASSERT_EQ(window_.document().variants().size(), 1U);
+    EXPECT_EQ(window_.document().variants()[0].rates.at("zygomaticus_major.L"), 1.0);
+}
+
+TEST_F(Window, MeasuresWithTheCallipers) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.view().setTool(Tool::Measure);
+    QWindow* native = window_.windowHandle();
+    const auto click = [&](const std::string& landmark) {
+        QTest::mouseClick(native, Qt::LeftButton, {},
+                          window_.view().mapTo(&window_, pixel(landmark)));
+    };
+    QSignalSpy hints(&window_.view(), &FaceView::measured);
+    click("en_l");
+    click("en_r");
+    EXPECT_EQ(hints.count(), 2);
+    EXPECT_EQ(window_.document().undoStack()->count(), 0);
+    const Landmarks& marks = test::small_face().landmarks;
+    const double apart = (marks.at("en_l").position - marks.at("en_r").position).norm();
+    const QString words = window_.findChild<Callipers*>()->words();
+    const double shown = words.section(' ', 0, 0).toDouble();
+    EXPECT_NEAR(shown, apart, 1.5) << words.toStdString();
+    const double along = words.section(' ', -2, -2).toDouble();
+    EXPECT_GT(along, shown);
+    QTest::keyClick(&window_.view(), Qt::Key_Escape);
+    EXPECT_TRUE(window_.findChild<Callipers*>()->words().isEmpty());
+}
+
+TEST_F(Window, WeakMusclesSmileLess) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.showStep("expression");
+    auto* list = window_.muscles().findChild<QComboBox*>("weakening");
+    ASSERT_NE(list, nullptr);
+    list->setCurrentIndex(list->findData("palsy_6"));
+    Q_EMIT list->activated(list->currentIndex());
+    const auto& strength = window_.document().contractions().strength;
+    EXPECT_EQ(*std::min_element(strength.begin(), strength.end()), 0.0);
+    window_.addExpression("full_smile", 1.0);
+    ASSERT_TRUE(settle());
+    window_.document().undoStack()->undo();
+    window_.document().undoStack()->undo();
+    EXPECT_EQ(*std::min_element(strength.begin(), strength.end()), 1.0);
+}
+
+TEST_F(Window, IsSpokenInJapaneseAndBack) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    Settings settings;
+    auto* step = window_.findChild<QAction*>("step-shape");
+    const QString english = step->text();
+    settings.language = "ja";
+    window_.applySettings(settings);
+    EXPECT_NE(step->text(), english);
+    EXPECT_FALSE(window_.muscles().slider(0)->accessibleName().isEmpty());
+    settings.language = "en";
+    settings.theme = Theme::Light;
+    window_.applySettings(settings);
+    EXPECT_EQ(step->text(), english);
+    settings.theme = Theme::Dark;
+    window_.applySettings(settings);
+    EXPECT_TRUE(settle());
+}
+
+TEST_F(Window, FindsActionsByTheirName) {
+    ActionSearch* search = new ActionSearch(actionsOf(window_), &window_);
+    search->show();
+    auto* text = search->findChild<QLineEdit*>();
+    auto* found = search->findChild<QListWidget*>();
+    const int all = found->count();
+    EXPECT_GT(all, 25);
+    QTest::keyClicks(text, "side by");
+    EXPECT_EQ(found->count(), 1);
+    QTest::keyClick(text, Qt::Key_Return);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return window_.comparePanel().mode() == CompareMode::SideBySide; }));
+}
+
+TEST_F(Window, BringsBackWhatWasNotSaved) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    window_.setRates("risorius", 0.7);
+    window_.document().setNotes("half a gesture");
+    drag(pixel("prn"), {0, -14});
+    ASSERT_TRUE(settle());
+    const Points shape = window_.document().skinRest();
+    window_.journal().flush();
+    // The journal as a crash would leave it: copied while the window lives.
+    const std::filesystem::path crashed = folder_ / "crashed";
+    std::filesystem::copy(window_.journal().folder(), crashed,
+                          std::filesystem::copy_options::recursive);
+    const std::vector<Recovery> found = recoverable(crashed);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].name, "face.ply");
+    QSignalSpy opened(&window_, &MainWindow::opened);
+    window_.recover(found[0]);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience));
+    ASSERT_TRUE(settle());
+    EXPECT_LT((window_.document().skinRest() - shape).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_EQ(window_.document().notes(), "half a gesture");
+    EXPECT_TRUE(window_.isWindowModified());
+    EXPECT_TRUE(recoverable(crashed).empty());  // it lives in the window's own journal now
 }
 
 TEST_F(Window, WritesAReportBesideTheWindow) {
@@ -281,7 +514,8 @@ TEST_F(Window, WritesAReportBesideTheWindow) {
     ASSERT_TRUE(settle());
     const QString file = QString::fromStdString((folder_ / "report.pdf").string());
     QSignalSpy written(&window_, &MainWindow::reportWritten);
-    window_.exportReport(file, "tip and chin");
+    window_.document().setNotes("tip and chin");
+    window_.exportReport(file);
     ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 1; }, kPatience))
         << window_.lastProblem().toStdString();
     QFile pdf(file);

@@ -22,12 +22,12 @@ struct Document {
         return document.contractions().rate[static_cast<std::size_t>(muscle)];
     }
     void set(double rate, int gesture) {
-        document.undoStack()->push(
-            new SetRatesCommand(document, {2, 3}, {rate, rate}, gesture, QStringLiteral("x")));
+        document.undoStack()->push(new SetMusclesCommand(
+            document, MuscleSetting::Rate, {2, 3}, {rate, rate}, gesture, QStringLiteral("x")));
     }
 };
 
-TEST(SetRatesCommand, UndoesAndRedoes) {
+TEST(SetMusclesCommand, UndoesAndRedoes) {
     Document d;
     d.set(0.5, 1);
     EXPECT_DOUBLE_EQ(d.rate(3), 0.5);
@@ -37,7 +37,7 @@ TEST(SetRatesCommand, UndoesAndRedoes) {
     EXPECT_DOUBLE_EQ(d.rate(2), 0.5);
 }
 
-TEST(SetRatesCommand, MakesOneStepOfOneGesture) {
+TEST(SetMusclesCommand, MakesOneStepOfOneGesture) {
     Document d;
     d.set(0.2, 1);
     d.set(0.4, 1);
@@ -50,7 +50,7 @@ TEST(SetRatesCommand, MakesOneStepOfOneGesture) {
     EXPECT_DOUBLE_EQ(d.rate(2), 0.0);
 }
 
-TEST(SetRatesCommand, LeavesNoStepWhenTheSliderComesBack) {
+TEST(SetMusclesCommand, LeavesNoStepWhenTheSliderComesBack) {
     Document d;
     d.set(0.2, 1);
     d.set(0.0, 1);

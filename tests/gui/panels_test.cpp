@@ -57,8 +57,9 @@ TEST(MusclePanel, OffersExpressions) {
     Panel p;
     std::vector<std::pair<std::string, double>> chosen;
     QObject::connect(&p.panel, &MusclePanel::expressionChosen,
-                     [&](const std::string& name, double intensity, int) {
-                         chosen.emplace_back(name, intensity);
+                     [&](const std::string& name, double left, double right, int) {
+                         EXPECT_EQ(left, right);
+                         chosen.emplace_back(name, left);
                      });
     auto* list = p.panel.findChild<QComboBox*>();
     ASSERT_NE(list, nullptr);

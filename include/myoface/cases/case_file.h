@@ -2,12 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "myoface/base/progress.h"
+#include "myoface/cases/case_state.h"
 #include "myoface/face/face_search.h"
 #include "myoface/face/landmarks.h"
 #include "myoface/io/mesh_file.h"
@@ -24,9 +24,7 @@ struct OpenedFace {
     std::optional<Landmarks> landmarks;  ///< our frame
     bool landmarks_detected = false;     ///< found by the shape of the face, not given
     std::optional<FacePose> pose;        ///< where the face is on the scan, where it was looked for
-    std::map<std::string, double> rates;  ///< muscle name -> contraction, from a case
-    std::map<std::string, double> strengths;
-    Points shape;  ///< what a case had reshaped, see shape_of_scan()
+    CaseState state;                     ///< what a case had made of it
     FitOptions fit;
     std::string name;        ///< for the window's title
     std::string scan_name;   ///< file name of the scan
@@ -68,16 +66,13 @@ std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened,
                                           const SimulatorOptions& options = {},
                                           const Progress* progress = nullptr);
 
-/// What the user made of a face, as a case keeps it.
-struct CaseState {
-    std::map<std::string, double> rates, strengths;  ///< only those off rest
-    Points shape;                                    ///< see shape_of_scan()
-};
-CaseState case_state(const FaceModel& face, const Contractions& contractions,
-                     const Points& skin_rest);
+/// Reads a case of this or an older version. @throws IoError
+OpenedFace read_case(const std::string& path, const OpenOptions& options = {},
+                     const Progress* progress = nullptr);
 
-/// Writes a case: a zip with manifest.json (schema 1), the scan byte for byte, its texture and the
-/// shape of the skin. The file appears whole or not at all. @throws IoError
+/// Writes a case: a zip with manifest.json (schema 2), the scan byte for byte, its textures and the
+/// parts of the state. The file appears whole or not at all, also when power fails meanwhile.
+/// @throws IoError
 void write_case(const std::filesystem::path& file, const OpenedFace& opened,
                 const CaseState& state);
 

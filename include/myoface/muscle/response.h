@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "myoface/base/points.h"
@@ -18,6 +19,12 @@ enum class ResponseForm {
 };
 /// "smooth", "as printed", "quarter turn", "1987", "zone-normalised", "later code".
 std::string response_name(ResponseForm form);
+/// All of them, the default first.
+inline constexpr std::array<ResponseForm, 6> kResponseForms{
+    ResponseForm::Smooth,     ResponseForm::AsPrinted,      ResponseForm::QuarterTurn,
+    ResponseForm::Waters1987, ResponseForm::ZoneNormalised, ResponseForm::LaterCode};
+/// The form of that name, with blanks or hyphens. @throws InvalidInput that lists them
+ResponseForm response_named(const std::string& name);
 
 /// A linear muscle's zone of influence.
 struct ResponseZone {

@@ -38,6 +38,12 @@ public:
     /// Draws the parts of the scan beside the one that holds the face, or leaves them out.
     void show_loose_parts(bool shown);
 
+    /// The skin at another moment, as a picture that stays. @param nodes 3×nodes [mm]
+    std::unique_ptr<SceneData> still(const Points& nodes, double jaw) const;
+    /// Paints how far the skin has come out (orange) or gone in (blue) since `before`, along its
+    /// normal there, up to `most` mm. @param before, now 3×nodes, the skin's first
+    void tint_change(const Points& before, const Points& now, double most);
+
     const SceneData& scene() const { return scene_; }
     SceneData& scene() { return scene_; }
 

@@ -45,6 +45,13 @@ struct Marker {
     float radius_px = 5.0F;
 };
 
+/// How the skin is shown, whatever the scene.
+struct ViewStyle {
+    bool clinical_light = false;  ///< even, from the front
+    bool textured = true;
+    bool wireframe = false;  ///< triangles over the skin
+};
+
 /// Everything that is to be seen, without a GPU. A renderer uploads a layer's fixed part again only
 /// when `topology` changes, its positions and normals when `motion` changes.
 struct SceneData {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "myoface/face/norms.h"
+#include "myoface/measure/measurement.h"
 #include "myoface/sim/simulator.h"
 
 namespace myoface {
@@ -42,9 +42,8 @@ struct TargetReport {
     double force_mN = 0.0;
     int settles = 0;
 };
-/// Measures that can be asked for: those with norms, and how far lips, nose tip and chin stand out.
-std::vector<Measure> target_measures();
-/// By id or title, in any case of letters. @throws InvalidInput that lists them
+/// One of all_measures() by id or title, in any case of letters. @throws InvalidInput that lists
+/// them
 Measure target_measure(const std::string& name);
 
 /// Moves a landmark of the measure, on both sides where it has two, the way that changes the

@@ -58,6 +58,9 @@ public:
     /// @param strength 0 … 1. @throws InvalidInput
     void set_strength(int muscle, double strength);
     const Contractions& contractions() const { return contractions_; }
+    /// Another form of the linear muscles' response.
+    void set_response(ResponseForm form);
+    ResponseForm response() const { return options_.response; }
 
     /// The skin as it rests: the scan plus what was shaped, 3×skin nodes [mm].
     const Points& skin_rest() const { return skin_rest_; }

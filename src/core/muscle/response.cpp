@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "myoface/base/error.h"
+
 namespace myoface {
 namespace {
 constexpr double kQuarter = 0.5 * std::numbers::pi;
@@ -26,6 +28,21 @@ std::string response_name(ResponseForm form) {
         default:
             return "smooth";
     }
+}
+
+ResponseForm response_named(const std::string& name) {
+    const auto plain = [](std::string text) {
+        std::replace(text.begin(), text.end(), '-', ' ');
+        return text;
+    };
+    std::string known;
+    for (const ResponseForm form : kResponseForms) {
+        if (plain(name) == plain(response_name(form))) {
+            return form;
+        }
+        known += (known.empty() ? "" : ", ") + response_name(form);
+    }
+    throw InvalidInput("'" + name + "' is no form of the response; known are " + known + ".");
 }
 
 double radial_response(double distance, double falloff_start, double falloff_end,

@@ -20,6 +20,17 @@ Eigen::Vector3f colour_map(double value) {
     return (1.0F - share) * kStops[low] + share * kStops[low + 1];
 }
 
+Eigen::Vector4f signed_tint(double value) {
+    const auto size = static_cast<float>(std::min(std::abs(value), 1.0));
+    const Eigen::Vector3f pale =
+        value < 0.0 ? Eigen::Vector3f(0.55F, 0.76F, 0.95F) : Eigen::Vector3f(0.99F, 0.80F, 0.50F);
+    const Eigen::Vector3f full =
+        value < 0.0 ? Eigen::Vector3f(0.06F, 0.25F, 0.62F) : Eigen::Vector3f(0.80F, 0.30F, 0.04F);
+    Eigen::Vector4f tint;
+    tint << (1.0F - size) * pale + size * full, std::min(1.0F, 3.0F * size);
+    return tint;
+}
+
 Eigen::Vector3f label_colour(int muscle) {
     // The golden angle keeps successive hues apart.
     const double hue = std::fmod(0.02 + 0.381966 * muscle, 1.0) * 6.0;

@@ -268,6 +268,28 @@ void FaceScene::tint(const Eigen::Matrix4Xf& of_vertices) {
     ++scene_.tint_version;
 }
 
+std::unique_ptr<SceneData> FaceScene::still(const Points& nodes, double jaw) const {
+    FaceScene other(scan_, texture_);
+    other.set_face(face_, {}, {});
+    SimSnapshot snapshot;
+    snapshot.positions = nodes;
+    snapshot.jaw = jaw;
+    other.show(snapshot);
+    other.scene_.skin.indices = scene_.skin.indices;  // loose parts as they are shown
+    return std::make_unique<SceneData>(std::move(other.scene_));
+}
+
+void FaceScene::tint_change(const Points& before, const Points& now, double most) {
+    const TriangleMesh& skin = face_->skin.mesh;
+    const Eigen::Index n = skin.vertices.cols();
+    const Points normals = vertex_normals({before.leftCols(n), skin.triangles}, *face_->adjacency);
+    Eigen::Matrix4Xf tint(4, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        tint.col(i) = signed_tint((now.col(i) - before.col(i)).dot(normals.col(i)) / most);
+    }
+    tint_nodes(tint);
+}
+
 void FaceScene::tint_nodes(const Eigen::Matrix4Xf& of_nodes) {
     if (!face_ || of_nodes.cols() == 0) {
         tint({});

@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include "myoface/base/error.h"
-#include "myoface/measure/landmarks_on_skin.h"
 #include "myoface/measure/volume.h"
 #include "myoface/mesh/bvh.h"
 
@@ -179,30 +178,14 @@ VolumeReport add_volume(Simulator& simulator, const VolumeRequest& request) {
     return report;
 }
 
-std::vector<Measure> target_measures() {
-    std::vector<Measure> measures;
-    for (const Norm& norm : norms(std::nullopt, 25.0)) {
-        measures.push_back(norm.measure);
-    }
-    for (const auto& [landmark, title] :
-         {std::pair("prn", "tip projection"), std::pair("sn", "nasal base projection"),
-          std::pair("ls", "upper lip projection"), std::pair("li", "lower lip projection"),
-          std::pair("pg", "chin projection")}) {
-        measures.push_back(
-            {std::string(landmark) + "-front", title, MeasureKind::Projection, {landmark}});
-    }
-    return measures;
-}
-
 Measure target_measure(const std::string& name) {
     const auto plain = [](std::string text) {
-        text = text.substr(0, text.find(" ("));  // "(age 18)"
         std::transform(text.begin(), text.end(), text.begin(),
                        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
         return text;
     };
     std::string known;
-    for (const Measure& measure : target_measures()) {
+    for (const Measure& measure : all_measures()) {
         if (plain(measure.id) == plain(name) || plain(measure.title) == plain(name)) {
             return measure;
         }

@@ -91,6 +91,14 @@ void Simulator::rebuild() {
     }
 }
 
+void Simulator::set_response(ResponseForm form) {
+    if (form != options_.response) {
+        options_.response = form;
+        responses_ = muscle_responses(*face_, system_->model, form);
+        refresh_drive();
+    }
+}
+
 void Simulator::refresh_drive() {
     const Points before = std::move(drive_.carry);
     const int n = system_->model.node_count();

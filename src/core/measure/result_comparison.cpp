@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "myoface/measure/result_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "myoface/base/error.h"
+#include "myoface/base/parallel.h"
+#include "myoface/mesh/bvh.h"
+#include "myoface/mesh/normals.h"
+
+namespace myoface {
+namespace {
+
+constexpr double kTooFar = 15.0;       // [mm] where the result has no skin opposite
+constexpr double kMostResidual = 3.0;  // [mm] that registration may leave
+constexpr int kRounds = 40;
+constexpr int kGrain = 256;
+
+Eigen::Isometry3d rigid(const Points& from, const Points& to) {
+    return Eigen::Isometry3d(Eigen::umeyama(from, to, false));
+}
+
+/// Nodes of forehead and nasal root.
+std::vector<int> steady_nodes(const FaceModel& face) {
+    constexpr double kRoot = 18.0;  // [mm] around the nasion
+    std::vector<int> nodes;
+    const auto n = face.landmarks.find("n");
+    for (int i = 0; i < face.own_nodes; ++i) {
+        const bool forehead = face.tissue[static_cast<std::size_t>(i)].region == Region::Forehead;
+        const bool root = n != face.landmarks.end() &&
+                          (face.skin.mesh.vertices.col(i) - n->second.position).norm() < kRoot;
+        if (forehead || root) {
+            nodes.push_back(i);
+        }
+    }
+    return nodes;
+}
+
+RegionDistance summary(const std::string& region, std::vector<double> values) {
+    RegionDistance row;
+    row.region = region;
+    row.nodes = static_cast<int>(values.size());
+    int close = 0;
+    for (const double d : values) {
+        row.mean_mm += std::abs(d) / row.nodes;
+        row.mean_signed_mm += d / row.nodes;
+        close += std::abs(d) < 2.0 ? 1 : 0;
+    }
+    row.share_below_2mm = static_cast<double>(close) / row.nodes;
+    for (double& d : values) {
+        d = std::abs(d);
+    }
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.9 * (row.nodes - 1));
+    std::nth_element(values.begin(), at, values.end());
+    row.p90_mm = *at;
+    return row;
+}
+
+}  // namespace
+
+ResultComparison compare_with_result(const FaceModel& face, const Points& plan,
+                                     const TriangleMesh& result,
+                                     const Landmarks& result_landmarks) {
+    std::vector<std::pair<Vec3, Vec3>> pairs;
+    for (const auto& [name, landmark] : result_landmarks) {
+        const auto own = face.landmarks.find(name);
+        if (own != face.landmarks.end()) {
+            pairs.emplace_back(landmark.position, own->second.position);
+        }
+    }
+    if (pairs.size() < 4) {
+        throw InvalidInput("The result has too few landmarks in common with the face.");
+    }
+    Points from(3, static_cast<Eigen::Index>(pairs.size()));
+    Points to(3, from.cols());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        from.col(static_cast<Eigen::Index>(i)) = pairs[i].first;
+        to.col(static_cast<Eigen::Index>(i)) = pairs[i].second;
+    }
+    ResultComparison comparison;
+    comparison.to_face = rigid(from, to);
+
+    // Closest points on the result from the steady part of the face as it was before.
+    const Bvh bvh(result);
+    const std::vector<int> steady = steady_nodes(face);
+    if (steady.size() < 20) {
+        throw InvalidInput(
+            "The face shows too little of forehead and nasal root to lay a result "
+            "on it.");
+    }
+    for (int round = 0; round < kRounds; ++round) {
+        const Eigen::Isometry3d back = comparison.to_face.inverse();
+        std::vector<std::pair<double, int>> order(steady.size());
+        Points found(3, static_cast<Eigen::Index>(steady.size()));
+        parallel_for(static_cast<int>(steady.size()), kGrain, [&](int begin, int end) {
+            for (int k = begin; k < end; ++k) {
+                const Vec3 place =
+                    back * face.skin.mesh.vertices.col(steady[static_cast<std::size_t>(k)]);
+                const ClosestPoint closest = bvh.closest_point(result, place);
+                found.col(k) = closest.point;
+                order[static_cast<std::size_t>(k)] = {(closest.point - place).norm(), k};
+            }
+        });
+        std::sort(order.begin(), order.end());
+        const std::size_t kept = std::max<std::size_t>(12, order.size() * 8 / 10);
+        Points a(3, static_cast<Eigen::Index>(kept));
+        Points b(3, a.cols());
+        double sum = 0.0;
+        for (std::size_t k = 0; k < kept; ++k) {
+            const int i = order[k].second;
+            a.col(static_cast<Eigen::Index>(k)) = found.col(i);
+            b.col(static_cast<Eigen::Index>(k)) =
+                face.skin.mesh.vertices.col(steady[static_cast<std::size_t>(i)]);
+            sum += order[k].first * order[k].first;
+        }
+        comparison.registration_mm = std::sqrt(sum / static_cast<double>(kept));
+        const Eigen::Isometry3d next = rigid(a, b);
+        const double change = (next.matrix() - comparison.to_face.matrix()).norm();
+        comparison.to_face = next;
+        if (change < 1e-6) {
+            break;
+        }
+    }
+    if (!(comparison.registration_mm < kMostResidual)) {
+        throw InvalidInput("The result does not fit on forehead and nasal root of this face: " +
+                           std::to_string(std::lround(comparison.registration_mm)) +
+                           " mm are left. Is it the same patient, and are its unit and landmarks "
+                           "right?");
+    }
+
+    const int nodes = face.node_count();
+    const Points skin = plan.leftCols(nodes);
+    const Points normals = vertex_normals({skin, face.skin.mesh.triangles}, *face.adjacency);
+    comparison.distance.resize(nodes);
+    const Eigen::Isometry3d back = comparison.to_face.inverse();
+    parallel_for(nodes, kGrain, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            const Vec3 place = back * skin.col(i);
+            const ClosestPoint closest = bvh.closest_point(result, place);
+            const Vec3 way = comparison.to_face.linear() * (closest.point - place);
+            comparison.distance[i] = way.norm() < kTooFar
+                                         ? std::copysign(way.norm(), way.dot(normals.col(i)))
+                                         : std::numeric_limits<double>::quiet_NaN();
+        }
+    });
+
+    std::vector<double> all;
+    std::map<Region, std::vector<double>> by_region;
+    for (int i = 0; i < nodes; ++i) {
+        const Region region = face.tissue[static_cast<std::size_t>(i)].region;
+        const bool counts = region != Region::Scalp && region != Region::Ear &&
+                            region != Region::Neck &&
+                            face.label[static_cast<std::size_t>(i)].tissue == Tissue::Skin;
+        if (counts && std::isfinite(comparison.distance[i])) {
+            all.push_back(comparison.distance[i]);
+            by_region[region].push_back(comparison.distance[i]);
+        }
+    }
+    if (all.empty()) {
+        throw InvalidInput("The result has no skin opposite the face.");
+    }
+    comparison.regions.push_back(summary("whole face", all));
+    for (auto& [region, values] : by_region) {
+        comparison.regions.push_back(summary(region_name(region), values));
+    }
+    return comparison;
+}
+
+}  // namespace myoface
