@@ -10,7 +10,7 @@ packages=(
   libeigen3-dev libglfw3-dev libepoxy-dev libegl-dev
   nlohmann-json3-dev libcli11-dev libpng-dev libjpeg-dev libzip-dev libassimp-dev libnanoflann-dev
   libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev libbullet-dev
-  xvfb xauth libgl1-mesa-dri libegl1 fonts-dejavu-core fonts-ipafont-gothic clang-format
+  python3 xvfb xauth libgl1-mesa-dri libegl1 fonts-dejavu-core fonts-ipafont-gothic clang-format
 )
 
 missing=()

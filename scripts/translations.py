@@ -50,7 +50,7 @@ def window_words():
 
 def enclosing(source, at):
     """The class of the member function that a place of a file is in."""
-    found = re.findall(r"^(?:[\w:<>*&,~ ]+ )?\*?&?(\w+)::~?\w+\(", source[:at], re.MULTILINE)
+    found = re.findall(r"^(?:\w[\w:<>*&,~ ]* )?\*?&?(\w+)::~?\w+\(", source[:at], re.MULTILINE)
     return found[-1] if found else None
 
 

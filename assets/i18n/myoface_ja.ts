@@ -22,6 +22,18 @@
 <context>
     <name>Callipers</name>
     <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm, along the skin %2 mm</source>
+        <translation>%1 mm、皮膚に沿って %2 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
         <source>A third click measures the angle at this point; Esc ends.</source>
         <translation>もう一度クリックするとこの点の角度を測ります。Esc で終わります。</translation>
     </message>
@@ -176,6 +188,10 @@
         <translation>顔 (*.obj *.ply *.stl *.glb *.gltf *.myoface);;すべてのファイル (*)</translation>
     </message>
     <message>
+        <source>Kept as variant %1.</source>
+        <translation>案 %1 として残しました。</translation>
+    </message>
+    <message>
         <source>Laying %1 on the face…</source>
         <translation>%1 を顔に重ねています…</translation>
     </message>
@@ -186,6 +202,10 @@
     <message>
         <source>before</source>
         <translation>前</translation>
+    </message>
+    <message>
+        <source>keep variant %1</source>
+        <translation>案 %1 を残す</translation>
     </message>
     <message>
         <source>mean</source>
@@ -255,6 +275,10 @@
         <translation>Myoface</translation>
     </message>
     <message>
+        <source>Myoface case (*.myoface)</source>
+        <translation>Myoface の症例 (*.myoface)</translation>
+    </message>
+    <message>
         <source>None yet</source>
         <translation>まだありません</translation>
     </message>
@@ -285,6 +309,10 @@
     <message>
         <source>Save as…</source>
         <translation>別名で保存…</translation>
+    </message>
+    <message>
+        <source>Save the case</source>
+        <translation>症例を保存</translation>
     </message>
     <message>
         <source>Saved: %1</source>
@@ -328,6 +356,10 @@
 </context>
 <context>
     <name>LandmarkEditor</name>
+    <message>
+        <source>%1 from the other side</source>
+        <translation>%1 を反対側から</translation>
+    </message>
     <message>
         <source>accept %1</source>
         <translation>%1 を確定</translation>
@@ -503,6 +535,10 @@
         <translation>平均</translation>
     </message>
     <message>
+        <source>missing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
         <source>thin</source>
         <translation>薄い</translation>
     </message>
@@ -585,6 +621,10 @@
         <translation>正面(&amp;F)</translation>
     </message>
     <message>
+        <source>&amp;Ghost</source>
+        <translation>透かし(&amp;G)</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>ヘルプ(&amp;H)</translation>
     </message>
@@ -601,8 +641,16 @@
         <translation>説明書(&amp;M)</translation>
     </message>
     <message>
+        <source>&amp;Map of the change</source>
+        <translation>変化の色分け(&amp;M)</translation>
+    </message>
+    <message>
         <source>&amp;Motion of tissue</source>
         <translation>組織の動き(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Now alone</source>
+        <translation>今の顔だけ(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -611,6 +659,10 @@
     <message>
         <source>&amp;Orthographic</source>
         <translation>平行投影(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>パネル(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Place landmarks by hand</source>
@@ -633,12 +685,24 @@
         <translation>症例を保存(&amp;S)</translation>
     </message>
     <message>
+        <source>&amp;Side by side</source>
+        <translation>左右に並べる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Swings, as fast as in life</source>
+        <translation>揺れる：実際の速さ(&amp;S)</translation>
+    </message>
+    <message>
         <source>&amp;Undo</source>
         <translation>元に戻す(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;View</source>
         <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>ワイプ(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Wireframe</source>
@@ -653,6 +717,10 @@
         <translation>&lt;h3&gt;マウス&lt;/h3&gt;&lt;table cellspacing=4&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;皮膚の上で左ドラッグ&lt;/b&gt;&lt;/td&gt;&lt;td&gt;選んだ道具の働き&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;顔の外で左ドラッグ、Alt + 左、中ボタン&lt;/b&gt;&lt;/td&gt;&lt;td&gt;回す&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;右ドラッグ、Shift + 中ボタン&lt;/b&gt;&lt;/td&gt;&lt;td&gt;ずらす&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;ホイール&lt;/b&gt;&lt;/td&gt;&lt;td&gt;カーソルの所を拡大・縮小&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;スライダーをダブルクリック&lt;/b&gt;&lt;/td&gt;&lt;td&gt;筋を安静に戻す&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;&lt;h3&gt;顔の上のキー&lt;/h3&gt;&lt;table cellspacing=4&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;つかむ半径（続けてマウスを動かす）&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;X&lt;/b&gt;&lt;/td&gt;&lt;td&gt;反対側も同じに&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;矢印&lt;/b&gt;&lt;/td&gt;&lt;td&gt;0.1 mm、Shift で 1 mm&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;スペース&lt;/b&gt;&lt;/td&gt;&lt;td&gt;押している間、前の状態&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Home&lt;/b&gt;&lt;/td&gt;&lt;td&gt;頭全体&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;操作を取りやめる&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
+        <source>&lt;h3&gt;Myoface %1&lt;/h3&gt;&lt;p&gt;Facial surgery consultation simulator on a muscle-spring model.&lt;/p&gt;&lt;p&gt;A planning and communication aid, not a medical device: what it shows is an estimate, not a promise of a result.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Uses Qt (LGPL 3), Eigen (MPL 2), assimp, libzip, GLFW (BSD and zlib), libepoxy, nlohmann-json, CLI11 and nanoflann (MIT and BSD).&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Myoface %1&lt;/h3&gt;&lt;p&gt;筋・ばねモデルによる顔面手術の説明用シミュレーター。&lt;/p&gt;&lt;p&gt;計画と説明のための補助であり、医療機器ではありません。表示は推定であり、結果を約束するものではありません。&lt;/p&gt;&lt;p&gt;Apache License 2.0。Qt (LGPL 3)、Eigen (MPL 2)、assimp、libzip、GLFW (BSD・zlib)、libepoxy、nlohmann-json、CLI11、nanoflann (MIT・BSD) を使用しています。&lt;/p&gt;</translation>
+    </message>
+    <message>
         <source>&lt;p&gt;&lt;b&gt;Drag the skin&lt;/b&gt; to shape it. Beside the face, the left button turns the head; the wheel zooms.&lt;/p&gt;&lt;p&gt;&lt;b&gt;The steps above&lt;/b&gt; lead from the scan to the report.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl+K&lt;/b&gt; finds everything by name, &lt;b&gt;F1&lt;/b&gt; shows all keys.&lt;/p&gt;</source>
         <translation>&lt;p&gt;&lt;b&gt;皮膚をドラッグ&lt;/b&gt;すると形が変わります。顔の外の左ドラッグで頭が回り、ホイールで拡大します。&lt;/p&gt;&lt;p&gt;&lt;b&gt;上の段階&lt;/b&gt;がスキャンから報告書まで導きます。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl+K&lt;/b&gt; で名前から何でも探せます。&lt;b&gt;F1&lt;/b&gt; ですべてのキーを表示します。&lt;/p&gt;</translation>
     </message>
@@ -665,12 +733,24 @@
         <translation>計画と説明のための補助であり、医療機器ではありません</translation>
     </message>
     <message>
+        <source>About Myoface</source>
+        <translation>Myoface について</translation>
+    </message>
+    <message>
         <source>All muscles at &amp;rest</source>
         <translation>すべての筋を安静に(&amp;R)</translation>
     </message>
     <message>
         <source>Back to the scan: muscles at rest, shape as it came</source>
         <translation>元のスキャンに戻します：筋は安静、形は元のまま</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Before and &amp;after</source>
+        <translation>術前・術後(&amp;A)</translation>
     </message>
     <message>
         <source>Before and after, variants</source>
@@ -683,6 +763,10 @@
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Change unit or axes</source>
+        <translation>単位または軸を変える</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -725,6 +809,10 @@
         <translation>表情</translation>
     </message>
     <message>
+        <source>F&amp;ull screen</source>
+        <translation>全画面(&amp;U)</translation>
+    </message>
+    <message>
         <source>Feel</source>
         <translation>触れる</translation>
     </message>
@@ -751,6 +839,10 @@
     <message>
         <source>History</source>
         <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>キーとマウス</translation>
     </message>
     <message>
         <source>Landmarks</source>
@@ -825,6 +917,10 @@
         <translation>患者用</translation>
     </message>
     <message>
+        <source>Patient &amp;view</source>
+        <translation>患者用の表示(&amp;V)</translation>
+    </message>
+    <message>
         <source>Patient's &amp;left</source>
         <translation>患者の左(&amp;L)</translation>
     </message>
@@ -835,6 +931,10 @@
     <message>
         <source>Patient's left</source>
         <translation>患者の左</translation>
+    </message>
+    <message>
+        <source>Patient's right</source>
+        <translation>患者の右</translation>
     </message>
     <message>
         <source>Protect</source>
@@ -851,6 +951,10 @@
     <message>
         <source>Reset &amp;face</source>
         <translation>顔を元に戻す(&amp;F)</translation>
+    </message>
+    <message>
+        <source>S&amp;teps</source>
+        <translation>段階(&amp;T)</translation>
     </message>
     <message>
         <source>Save</source>
@@ -873,6 +977,10 @@
         <translation>形</translation>
     </message>
     <message>
+        <source>Shows the state before; the space bar does so while it is held</source>
+        <translation>前の状態を表示します。スペースキーを押している間も表示します</translation>
+    </message>
+    <message>
         <source>Skin &amp;texture</source>
         <translation>皮膚のテクスチャ(&amp;T)</translation>
     </message>
@@ -885,6 +993,14 @@
         <translation>すぐに安静へ(&amp;R)</translation>
     </message>
     <message>
+        <source>Swings, &amp;10 times slower</source>
+        <translation>揺れる：10 倍ゆっくり(&amp;1)</translation>
+    </message>
+    <message>
+        <source>Swings, &amp;4 times slower</source>
+        <translation>揺れる：4 倍ゆっくり(&amp;4)</translation>
+    </message>
+    <message>
         <source>T&amp;urn slowly</source>
         <translation>ゆっくり回す(&amp;U)</translation>
     </message>
@@ -895,6 +1011,10 @@
     <message>
         <source>The face alone, full screen on the other screen</source>
         <translation>もう一つの画面に顔だけを全画面で表示します</translation>
+    </message>
+    <message>
+        <source>The face is fitted anew, which ends the changes made to its shape and muscles. Go on?</source>
+        <translation>顔を当てはめ直すため、形と筋の変更は失われます。続けますか？</translation>
     </message>
     <message>
         <source>The manual is %1, and no program that shows it was found.</source>
@@ -1038,6 +1158,10 @@ norm %1 ± %2, z = %3
         <translation>書き出す…</translation>
     </message>
     <message>
+        <source>How far the left one is from the mirror image of the right one about this patient's own midplane [mm]</source>
+        <translation>この患者の正中面で右の点を折り返した像と左の点の距離 [mm]</translation>
+    </message>
+    <message>
         <source>Measure</source>
         <translation>計測</translation>
     </message>
@@ -1092,6 +1216,10 @@ norm %1 ± %2, z = %3
     <message>
         <source>now</source>
         <translation>現在</translation>
+    </message>
+    <message>
+        <source>sides differ: %1</source>
+        <translation>左右差：%1</translation>
     </message>
     <message>
         <source>straight distance; of pairs the mean of both sides</source>
@@ -1347,36 +1475,6 @@ norm %1 ± %2, z = %3
     </message>
 </context>
 <context>
-    <name>QFileDialog</name>
-    <message>
-        <source>Myoface case (*.myoface)</source>
-        <translation>Myoface の症例 (*.myoface)</translation>
-    </message>
-    <message>
-        <source>Save the case</source>
-        <translation>症例を保存</translation>
-    </message>
-</context>
-<context>
-    <name>QMessageBox</name>
-    <message>
-        <source>&lt;h3&gt;Myoface %1&lt;/h3&gt;&lt;p&gt;Facial surgery consultation simulator on a muscle-spring model.&lt;/p&gt;&lt;p&gt;A planning and communication aid, not a medical device: what it shows is an estimate, not a promise of a result.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Uses Qt (LGPL 3), Eigen (MPL 2), assimp, libzip, GLFW (BSD and zlib), libepoxy, nlohmann-json, CLI11 and nanoflann (MIT and BSD).&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Myoface %1&lt;/h3&gt;&lt;p&gt;筋・ばねモデルによる顔面手術の説明用シミュレーター。&lt;/p&gt;&lt;p&gt;計画と説明のための補助であり、医療機器ではありません。表示は推定であり、結果を約束するものではありません。&lt;/p&gt;&lt;p&gt;Apache License 2.0。Qt (LGPL 3)、Eigen (MPL 2)、assimp、libzip、GLFW (BSD・zlib)、libepoxy、nlohmann-json、CLI11、nanoflann (MIT・BSD) を使用しています。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>About Myoface</source>
-        <translation>Myoface について</translation>
-    </message>
-    <message>
-        <source>Change unit or axes</source>
-        <translation>単位または軸を変える</translation>
-    </message>
-    <message>
-        <source>The face is fitted anew, which ends the changes made to its shape and muscles. Go on?</source>
-        <translation>顔を当てはめ直すため、形と筋の変更は失われます。続けますか？</translation>
-    </message>
-</context>
-<context>
     <name>QObject</name>
     <message>
         <source>Facial surgery consultation simulator. A planning and communication aid, not a medical device.</source>
@@ -1441,21 +1539,6 @@ norm %1 ± %2, z = %3
     <message>
         <source>standard view</source>
         <translation>標準の向き</translation>
-    </message>
-</context>
-<context>
-    <name>QString</name>
-    <message>
-        <source>How far the left one is from the mirror image of the right one about this patient's own midplane [mm]</source>
-        <translation>この患者の正中面で右の点を折り返した像と左の点の距離 [mm]</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>なし</translation>
-    </message>
-    <message>
-        <source>sides differ: %1</source>
-        <translation>左右差：%1</translation>
     </message>
 </context>
 <context>
@@ -1949,6 +2032,10 @@ norm %1 ± %2, z = %3
     <message>
         <source>pull %1 N: skin %2, muscle %3, held back %4 · %5 mm behind the hand</source>
         <translation>引く力 %1 N：皮膚 %2、筋 %3、引き留め %4 · 手から %5 mm 遅れ</translation>
+    </message>
+    <message>
+        <source>shape by %1 mm</source>
+        <translation>形 %1 mm</translation>
     </message>
 </context>
 <context>
@@ -2618,113 +2705,6 @@ nothing worth mentioning</source>
     <message>
         <source>change</source>
         <translation>変化</translation>
-    </message>
-</context>
-<context>
-    <name>std</name>
-    <message>
-        <source>%1 from the other side</source>
-        <translation>%1 を反対側から</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm, along the skin %2 mm</source>
-        <translation>%1 mm、皮膚に沿って %2 mm</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>&amp;Ghost</source>
-        <translation>透かし(&amp;G)</translation>
-    </message>
-    <message>
-        <source>&amp;Map of the change</source>
-        <translation>変化の色分け(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Now alone</source>
-        <translation>今の顔だけ(&amp;N)</translation>
-    </message>
-    <message>
-        <source>&amp;Panels</source>
-        <translation>パネル(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Side by side</source>
-        <translation>左右に並べる(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Swings, as fast as in life</source>
-        <translation>揺れる：実際の速さ(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Wipe</source>
-        <translation>ワイプ(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>前</translation>
-    </message>
-    <message>
-        <source>Before and &amp;after</source>
-        <translation>術前・術後(&amp;A)</translation>
-    </message>
-    <message>
-        <source>F&amp;ull screen</source>
-        <translation>全画面(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Kept as variant %1.</source>
-        <translation>案 %1 として残しました。</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>キーとマウス</translation>
-    </message>
-    <message>
-        <source>Patient &amp;view</source>
-        <translation>患者用の表示(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Patient's right</source>
-        <translation>患者の右</translation>
-    </message>
-    <message>
-        <source>S&amp;teps</source>
-        <translation>段階(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Shows the state before; the space bar does so while it is held</source>
-        <translation>前の状態を表示します。スペースキーを押している間も表示します</translation>
-    </message>
-    <message>
-        <source>Swings, &amp;10 times slower</source>
-        <translation>揺れる：10 倍ゆっくり(&amp;1)</translation>
-    </message>
-    <message>
-        <source>Swings, &amp;4 times slower</source>
-        <translation>揺れる：4 倍ゆっくり(&amp;4)</translation>
-    </message>
-    <message>
-        <source>Three-quarter left</source>
-        <translation>左斜め</translation>
-    </message>
-    <message>
-        <source>Three-quarter right</source>
-        <translation>右斜め</translation>
-    </message>
-    <message>
-        <source>keep variant %1</source>
-        <translation>案 %1 を残す</translation>
-    </message>
-    <message>
-        <source>shape by %1 mm</source>
-        <translation>形 %1 mm</translation>
     </message>
 </context>
 </TS>

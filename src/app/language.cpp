@@ -71,7 +71,9 @@ Language& Language::instance() {
 }
 
 QString Language::translate(const char* context, const char* source, const char*, int) const {
-    return m_catalogue.find(QString::fromUtf8(context), QString::fromUtf8(source));
+    QString plain = QString::fromUtf8(context);
+    plain.remove(QStringLiteral("myoface::"));
+    return m_catalogue.find(plain, QString::fromUtf8(source));
 }
 
 void Language::changeWords(const QHash<QString, QString>& words) const {

@@ -56,6 +56,7 @@ LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent) {
     }
     grid->addLayout(presets, 5, 0, 1, 2);
     grid->setColumnStretch(1, 1);
+    grid->setRowStretch(6, 1);
     setLayers({});
 }
 

@@ -18,7 +18,7 @@ public:
         return {inside + bar, QScrollArea::minimumSizeHint().height()};
     }
     QSize sizeHint() const override {
-        return QScrollArea::sizeHint().expandedTo(minimumSizeHint());
+        return {minimumSizeHint().width(), QScrollArea::sizeHint().height()};
     }
 
 protected:

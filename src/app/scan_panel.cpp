@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "panel_layout.h"
+#include "theme.h"
 
 namespace myoface {
 namespace {
@@ -97,8 +98,8 @@ void ScanPanel::setFace(const OpenedFace& face, const FaceModel* model, int spri
     const QLocale locale;
     QString text = QStringLiteral("<table cellspacing=3>");
     const auto row = [&](const QString& name, const QString& value) {
-        text += QStringLiteral("<tr><td style='color:#9fb3c4'>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
-                    .arg(name, value.toHtmlEscaped());
+        text += QStringLiteral("<tr><td style='color:%3'>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
+                    .arg(name, value.toHtmlEscaped(), themeColours().quiet.name());
     };
     row(tr("File"), QString::fromStdString(face.name));
     row(tr("Format"), QString::fromStdString(r.format));
