@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "face_arguments.h"
 
+#include "myoface/face/muscle_atlas.h"
 #include "myoface/io/text_file.h"
 #include "myoface/muscle/expression.h"
+#include "myoface/muscle/weakening.h"
 
 namespace myoface::cli {
 
@@ -68,6 +70,11 @@ void EditArguments::add_to(CLI::App& command) {
     command.add_option("--strength", strengths, "NAME=s, strength from 0 to 1; repeatable")
         ->allow_extra_args(false);
     command
+        .add_option("--weaken", weakenings,
+                    "a ready set of weak muscles (glabella, crows_feet, palsy_4.L, ...); "
+                    "repeatable, before --strength")
+        ->allow_extra_args(false);
+    command
         .add_option("--drag", drags,
                     "\"at=prn; view=left; move=RIGHT,UP; mode=mouse|constraint; radius=MM; "
                     "mirror=0|1; path=free|normal|midplane\"; repeatable")
@@ -94,6 +101,12 @@ Plan EditArguments::edits() const {
     Plan result;
     if (!plan.empty()) {
         result = plan_from_json(read_file(plan), plan);
+    }
+    for (const std::string& name : weakenings) {
+        for (const auto& [muscle, strength] : weakening_named(name).strengths) {
+            const MuscleTraits& traits = muscle_atlas()[static_cast<std::size_t>(muscle)].traits;
+            result.emplace_back(StrengthEdit{traits.name, strength});
+        }
     }
     for (const std::string& text : strengths) {
         const auto [name, value] = parse_setting(text);

@@ -33,7 +33,8 @@ struct PopulationArguments {
 /// --muscle, --expression, --strength, --drag, --plan, in the order: plan, strengths, expressions,
 /// muscles, protection, drags, volumes, targets.
 struct EditArguments {
-    std::vector<std::string> muscles, expressions, strengths, drags, volumes, targets, protects;
+    std::vector<std::string> muscles, expressions, weakenings, strengths, drags, volumes, targets,
+        protects;
     std::string plan;
 
     void add_to(CLI::App& command);

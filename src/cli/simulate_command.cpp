@@ -20,7 +20,7 @@ namespace {
 struct Arguments {
     FaceArguments face;
     EditArguments edits;
-    std::string solver = "equilibrium";
+    std::string solver = "equilibrium", response = "smooth";
     std::string output, report;
     double seconds = 0.0;
     int threads = 0;
@@ -106,6 +106,9 @@ void add_simulate(CLI::App& app) {
     a->edits.add_to(*command);
     command->add_option("--solver", a->solver, "equilibrium, symplectic or explicit")
         ->check(CLI::IsMember({"equilibrium", "symplectic", "explicit"}));
+    command->add_option("--response", a->response,
+                        "form of the linear muscles' response: smooth, as-printed, quarter-turn, "
+                        "1987, zone-normalised or later-code");
     command
         ->add_option("--seconds", a->seconds,
                      "how the face is so long after the last edit, while tissue still swings; a "
@@ -124,6 +127,7 @@ void add_simulate(CLI::App& app) {
         OpenedFace opened = a->face.open();
         find_missing_landmarks(opened);
         SimulatorOptions options;
+        options.response = response_named(a->response);
         options.solver = a->solver == "explicit"     ? SolverKind::ExplicitEuler
                          : a->solver == "symplectic" ? SolverKind::SymplecticEuler
                                                      : SolverKind::Equilibrium;

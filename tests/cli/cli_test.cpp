@@ -2,6 +2,7 @@
 // The command line as scripts use it: exit codes, files, one line of complaint.
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sys/wait.h>
 
@@ -344,6 +345,61 @@ TEST(Desktop, WithoutOpenGlSaysSoInsteadOfAborting) {
         run("env -u DISPLAY QT_QPA_PLATFORM=offscreen " MYOFACE_APP, "--screenshot /tmp/never.png");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("OpenGL"), std::string::npos) << outcome.err;
+}
+
+TEST(Simulate, WeakensMusclesAndTakesOtherResponses) {
+    const std::string plain = (face().folder / "w0.obj").string();
+    const auto smile = [&](const std::string& more, const std::string& name) {
+        const std::string report = (face().folder / (name + ".json")).string();
+        const Outcome made = cli("simulate " + face().scan + " --expression AU12=1 " + more +
+                                 " -o " + plain + " --report " + report);
+        EXPECT_EQ(made.code, 0) << made.err;
+        return nlohmann::json::parse(read_file(report));
+    };
+    const auto full = smile("", "w0");
+    const auto weak = smile("--weaken palsy_6", "w1");
+    EXPECT_GT(full["max_displacement_mm"].get<double>(), 5.0);
+    EXPECT_LT(weak["max_displacement_mm"].get<double>(), 1e-6);
+    const auto printed = smile("--response as-printed", "w2");
+    EXPECT_NE(printed["state_hash"], full["state_hash"]);
+    expect_refusal("simulate generic --response cubic -o " + plain, 1, "zone-normalised");
+    expect_refusal("simulate generic --weaken gout -o " + plain, 1, "palsy_4");
+}
+
+TEST(Compare, SaysHowFarAPlanIsFromTheResult) {
+    const std::string after = (face().folder / "after.obj").string();
+    ASSERT_EQ(
+        cli("simulate " + face().scan + " --drag \"at=prn; view=left; move=-3,0\" -o " + after)
+            .code,
+        0);
+    std::filesystem::copy_file(face().folder / "face.landmarks.json",
+                               face().folder / "after.landmarks.json");
+    const auto whole = [&](const std::string& plan) {
+        const Outcome outcome = cli("compare " + face().scan + " " + plan + " --result " + after);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const auto json = nlohmann::json::parse(outcome.out);
+        EXPECT_LT(json["registration_mm"].get<double>(), 0.2);
+        EXPECT_EQ(json["regions"][0]["region"], "whole face");
+        return json["regions"][0]["mean_mm"].get<double>();
+    };
+    const double with_plan = whole("--drag \"at=prn; view=left; move=-3,0\"");
+    const double without = whole("");
+    EXPECT_LT(with_plan, 0.02);
+    EXPECT_GT(without, 3.0 * with_plan);
+    expect_refusal("compare " + face().scan + " --result " + face().scan + "x", 1, "no such file");
+}
+
+TEST(Report, IsAnonymousAndJapaneseWhereThatIsWanted) {
+    const std::string plain = (face().folder / "r.pdf").string();
+    const std::string other = (face().folder / "ja.pdf").string();
+    ASSERT_EQ(cli("report " + face().scan + " --expression joy=0.5 -o " + plain).code, 0);
+    const Outcome made = cli("report " + face().scan +
+                             " --expression joy=0.5 --language ja --anonymous -o " + other);
+    ASSERT_EQ(made.code, 0) << made.err;
+    const std::string bytes = read_file(other);
+    EXPECT_EQ(bytes.substr(0, 5), "%PDF-");
+    EXPECT_NE(bytes, read_file(plain));
+    expect_refusal("report generic --language xx -o " + other, 2, "language");
 }
 
 }  // namespace

@@ -60,7 +60,13 @@ struct MuscleTraits {
     double pull = 6.0;           ///< skin end's way at full contraction [mm]
     double gain = 1.0;           ///< target shift per wanted way, calibrated after relaxation
     double strength = 1.0;       ///< tension at full contraction [N]
-    double forward = 0.0;        ///< sphincter: share of the pull along the ring's normal
+    bool shares_mouth = false;   ///< sphincter: its ring is half of the mouth's
+    /// Sphincter: how far its response reaches along and across, of the ring's own size.
+    double reach_wide = 1.3, reach_high = 1.3;
+    double rise = 0.0;  ///< sphincter: centre of its response above the ring's, of its height
+    /// Sphincter: shares of the pull across the ring's longer axis above and below it.
+    double across_above = 1.0, across_below = 1.0;
+    double forward = 0.0;  ///< sphincter: share of the pull along the ring's normal
 };
 
 /// A muscle in the coordinates of the average head.
@@ -69,7 +75,6 @@ struct AtlasMuscle {
     Points path;  ///< bone end first; closed ring (sphincter); the middle fibre of a sheet [mm]
     std::vector<Points> edges;     ///< outermost fibres of sheets and volumes
     bool deep = false;             ///< runs inside the orbit, not under the skin
-    bool shares_mouth = false;     ///< its ring is half of the mouth's
     double origin_depth = 1.0;     ///< of the bone end, as a share of the tissue's depth
     double insertion_depth = 0.3;  ///< of the other end
 };

@@ -68,7 +68,8 @@ double jaw_share(const Vec3& p, int lip_side = 0);
 /// Where the lids are: heights of both margins at a place's distance from the midline, and how far
 /// the place follows each of them, 1 at the margin.
 struct LidPlace {
-    double upper = 0.0, lower = 0.0;            ///< y of the margins [mm]
+    double upper = 0.0, lower = 0.0;  ///< y of the margins [mm]
+    double around = 0.0;              ///< 0 … 1: next to the lids, beyond where they move
     double with_upper = 0.0, with_lower = 0.0;  ///< 0 … 1
 };
 LidPlace lid_place(const Vec3& p);

@@ -34,7 +34,7 @@ struct ResultComparison {
 /// forehead and nasal root, which operations on the lower face leave alone, and measures the way
 /// from each place of the plan to it. Scalp, ears and neck do not count.
 /// @param plan 3×nodes, the skin's first [mm] @throws InvalidInput when they do not come together
-/// @cite besl_1992
+/// @cite chen_1992
 ResultComparison compare_with_result(const FaceModel& face, const Points& plan,
                                      const TriangleMesh& result, const Landmarks& result_landmarks);
 

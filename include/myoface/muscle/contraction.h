@@ -28,6 +28,7 @@ struct MuscleResponse {
     Points shift;            ///< tether target [mm]
     Eigen::VectorXd height;  ///< thickness target [mm]
     Eigen::VectorXd hold;    ///< 0 … 1: how firmly the target is held
+    double firmness = 0.0;   ///< hold at 1, in tethers of a unit tie
     bool whole = false;      ///< carries skin and bone surface together: lids, jaw
 };
 

@@ -54,6 +54,8 @@ struct SphincterZone {
     double half_height = 1.0;   ///< l_y [mm]
     double depth = 30.0;        ///< reach along the axis, faded smoothly [mm]
     double forward = 0.0;       ///< part of the pull along the axis
+    /// Parts of the pull along the shorter semi-axis, on its positive and negative side.
+    double across_high = 1.0, across_low = 1.0;
 };
 
 /// Displacement per millimetre of pull: w = (1 − ρ²)², in the plane towards the centre, peak 1, and

@@ -19,6 +19,7 @@ std::filesystem::path resource_path(const std::string& name) {
         folders.push_back(program.parent_path().parent_path() / "share/myoface");
     }
     folders.emplace_back(MYOFACE_SOURCE_DIR);
+    folders.emplace_back(MYOFACE_DATA_DIR);  // of programs that link the installed library
     for (const auto& folder : folders) {
         if (std::filesystem::is_regular_file(folder / name, error)) {
             return folder / name;

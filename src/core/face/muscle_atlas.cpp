@@ -66,7 +66,7 @@ AtlasMuscle parse_muscle(const json& entry) {
         *text = entry.at(field).get<std::string>();
     }
     muscle.deep = entry.value("deep", false);
-    muscle.shares_mouth = entry.value("shares_mouth", false);
+    muscle.traits.shares_mouth = entry.value("shares_mouth", false);
     if (entry.contains("depth_share")) {
         muscle.origin_depth = entry.at("depth_share").at(0).get<double>();
         muscle.insertion_depth = entry.at("depth_share").at(1).get<double>();
@@ -78,6 +78,15 @@ AtlasMuscle parse_muscle(const json& entry) {
         t.falloff_end = entry.at("falloff_end").get<double>();
     }
     t.forward = entry.value("forward", 0.0);
+    t.rise = entry.value("rise", 0.0);
+    if (entry.contains("across")) {
+        t.across_above = entry["across"].at(0).get<double>();
+        t.across_below = entry["across"].at(1).get<double>();
+    }
+    if (entry.contains("reach")) {
+        t.reach_wide = entry["reach"].at(0).get<double>();
+        t.reach_high = entry["reach"].at(1).get<double>();
+    }
     t.breadth = entry.at("breadth_mm").get<double>();
     t.pull = entry.at("pull_mm").get<double>();
     t.strength = entry.at("strength_N").get<double>();

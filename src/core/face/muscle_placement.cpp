@@ -224,10 +224,10 @@ void place_muscles(FaceModel& face, const Points& smooth_normals,
             }
             muscle.length = path_length(muscle.path, true);
             Points outline = muscle.path;
-            if (entry.traits.zone != MuscleZone::All || entry.shares_mouth) {
+            if (entry.traits.zone != MuscleZone::All || entry.traits.shares_mouth) {
                 // The other half of the ring.
                 Points other = entry.path;
-                if (entry.shares_mouth) {
+                if (entry.traits.shares_mouth) {
                     other.row(0) *= -1.0;
                 } else {
                     const double line = generic_landmarks().at("sto").position.y();

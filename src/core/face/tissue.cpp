@@ -162,13 +162,22 @@ LidPlace lid_place(const Vec3& p) {
     const double beside = std::abs(p.x()) - x;  // beyond the corners
     const double fade = smooth_step(6.0, 0.0, std::abs(beside)) * smooth_step(55.0, 66.0, p.z());
     const double middle = 0.5 * (place.upper + place.lower);
-    constexpr double kUpperReach = 11.0;  // [mm] from the margin to where the lid is at rest
-    constexpr double kLowerReach = 8.0;
+    // A lid goes with its margin as a whole over the tarsus and rolls up beyond [mm].
+    constexpr double kTarsus = 4.0;
+    constexpr double kUpperReach = 10.0;
+    constexpr double kLowerReach = 12.0;
+    constexpr double kAround = 24.0;
+    const auto around = [](double reach, double off) {
+        return smooth_step(0.6 * reach, reach, off) * smooth_step(kAround, 0.6 * kAround, off);
+    };
     if (p.y() > middle) {
-        place.with_upper = fade * smooth_step(kUpperReach, 0.0, p.y() - place.upper);
+        place.with_upper = fade * smooth_step(kUpperReach, kTarsus, p.y() - place.upper);
+        place.around = around(kUpperReach, p.y() - place.upper);
     } else {
         place.with_lower = fade * smooth_step(kLowerReach, 0.0, place.lower - p.y());
+        place.around = around(kLowerReach, place.lower - p.y());
     }
+    place.around *= smooth_step(16.0, 8.0, std::abs(beside)) * smooth_step(40.0, 55.0, p.z());
     return place;
 }
 

@@ -11,10 +11,12 @@
 namespace myoface {
 namespace {
 
-constexpr double kHold = 5.0;            // hold on the target, in usual tethers
-constexpr double kSphincterReach = 1.3;  // of the ring's own size
-constexpr double kLipSoftness = 1.5;     // of the border between the lips' zones [mm]
-constexpr double kMidlineFade = 9.0;     // a paired muscle ends this far across the midline [mm]
+constexpr double kHold = 5.0;         // hold on the target, in usual tethers
+constexpr double kLipSoftness = 1.5;  // of the border between the lips' zones [mm]
+constexpr double kLidHold = 25.0;     // of lids, which lie on the eyeball and unroll
+constexpr double kMeeting = 0.08;     // where the lids meet, from the lower one's margin
+constexpr double kToNose = 2.6;       // the closing lower lid's way towards the nose [mm]
+constexpr double kMidlineFade = 9.0;  // a paired muscle ends this far across the midline [mm]
 
 double smooth_step(double edge0, double edge1, double x) {
     const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
@@ -30,7 +32,8 @@ double zone_share(const MuscleTraits& traits, const Vec3& generic, const TissueP
     double share = smooth_step(-30.0, 0.0, generic.z());
     if (traits.side != Side::Middle) {
         const double own = traits.side == Side::Left ? generic.x() : -generic.x();
-        share *= smooth_step(-kMidlineFade, 0.3 * kMidlineFade, own);
+        // Halves of one ring make a whole in the middle.
+        share *= smooth_step(-kMidlineFade, (traits.shares_mouth ? 1.0 : 0.3) * kMidlineFade, own);
     }
     switch (traits.zone) {
         case MuscleZone::UpperLip:
@@ -60,13 +63,18 @@ ResponseZone linear_zone(const Muscle& muscle, const Points& path) {
 
 SphincterZone sphincter_zone(const Muscle& muscle) {
     SphincterZone zone;
-    zone.centre = muscle.centre;
+    Vec3 up = muscle.axis.cross(muscle.wide);
+    up *= up.y() < 0.0 ? -1.0 : 1.0;
+    zone.centre = muscle.centre + muscle.traits.rise * muscle.half_height * up;
     zone.wide = muscle.wide;
     zone.axis = muscle.axis;
-    zone.half_width = kSphincterReach * muscle.half_width;
-    zone.half_height = kSphincterReach * muscle.half_height;
-    zone.depth = 1.4 * muscle.half_width;
+    zone.half_width = muscle.traits.reach_wide * muscle.half_width;
+    zone.half_height = muscle.traits.reach_high * muscle.half_height;
+    zone.depth = 1.08 * zone.half_width;
     zone.forward = muscle.traits.forward;
+    const bool turned = muscle.axis.cross(muscle.wide).y() < 0.0;  // whose shorter axis looks down
+    zone.across_high = turned ? muscle.traits.across_below : muscle.traits.across_above;
+    zone.across_low = turned ? muscle.traits.across_above : muscle.traits.across_below;
     return zone;
 }
 
@@ -129,11 +137,15 @@ Demand slide_lid(const FaceModel& face, int node, const MuscleTraits& traits) {
     const double upper = lid.with_upper;
     const double lower = lid.with_lower;
     if (upper <= 0.0 && lower <= 0.0) {
-        return {};
+        // The skin of a lid unrolls from its fold: what lies around is not pulled along.
+        Demand still;
+        still.hold = lid.around;
+        return still;
     }
-    // The lids meet a quarter of the way up; wide open, the upper one goes up by a fifth.
+    // The lower lid hardly rises but is drawn towards the nose; wide open, the upper one goes up by
+    // a fifth of the fissure.
     const double fissure = lid.upper - lid.lower;
-    const double meeting = lid.lower + 0.22 * fissure;
+    const double meeting = lid.lower + kMeeting * fissure;
     double rise = 0.0;
     if (close) {
         rise = upper * (meeting - lid.upper) + lower * (meeting - lid.lower);
@@ -153,7 +165,11 @@ Demand slide_lid(const FaceModel& face, int node, const MuscleTraits& traits) {
     const Eigen::AngleAxisd turn(-(angle_at(height + rise) - angle_at(height)), left);
     Demand demand;
     demand.shift = turn * off - off;
-    demand.hold = std::max(upper, lower);
+    if (close) {
+        demand.shift +=
+            (side == Side::Left ? -1.0 : 1.0) * kToNose * lower / face.to_generic.scale * left;
+    }
+    demand.hold = std::max({upper, lower, lid.around});
     return demand;
 }
 
@@ -207,6 +223,8 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
             response.whole = traits.action == MuscleAction::CloseLids ||
                              traits.action == MuscleAction::RaiseLid ||
                              traits.action == MuscleAction::OpenJaw;
+            const bool lid = response.whole && traits.action != MuscleAction::OpenJaw;
+            response.firmness = lid ? kLidHold : kHold;
             std::vector<Vec3> shifts;
             std::vector<double> heights;
             std::vector<double> holds;
@@ -240,7 +258,8 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
                         }
                     }
                 }
-                if (demand.shift.squaredNorm() < 1e-10 && demand.height < 1e-5) {
+                if (demand.shift.squaredNorm() < 1e-10 && demand.height < 1e-5 &&
+                    !(response.whole && demand.hold > 1e-3)) {
                     continue;
                 }
                 response.nodes.push_back(i);
@@ -293,7 +312,7 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
                 drive.height[i] += c * response.height[column];
             }
             // As much hold on loose skin as on tight: the lips must follow, not only the cheek.
-            const double most = 1.0 + kHold / system.bone_tie[i];
+            const double most = 1.0 + response.firmness / system.bone_tie[i];
             drive.tether_boost[i] = std::min(
                 most, drive.tether_boost[i] + std::abs(c) * response.hold[column] * (most - 1.0));
         }

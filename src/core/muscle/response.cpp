@@ -121,7 +121,8 @@ Vec3 sphincter_response(const SphincterZone& zone, const Vec3& point) noexcept {
     // max of ρ (1 − ρ²)² is 16/(25 √5), reached along the longer axis
     const double peak =
         16.0 / (25.0 * std::sqrt(5.0)) * std::max(zone.half_width, zone.half_height);
-    return -w / peak * (x * zone.wide + y * high) + zone.forward * w * zone.axis;
+    return -w / peak * (x * zone.wide + (y > 0.0 ? zone.across_high : zone.across_low) * y * high) +
+           zone.forward * w * zone.axis;
 }
 
 }  // namespace myoface
