@@ -60,6 +60,9 @@ convert "$work/presets.png" -resize 1500x -quality 90 $out/expressions.jpg
 "$bin/myoface-cli" generate --seed 12 --sex m --age 41 --vertices 14000 --asymmetry 1.2 -o "$work/person.ply"
 xvfb-run -a -s '-screen 0 1600x1000x24' "$bin/myoface" "$work/person.ply" --landmarks-panel --screenshot $out/landmarks.png
 
+window() { xvfb-run -a -s '-screen 0 1600x1000x24 -dpi 96' "$bin/myoface" "$@"; }
+window generic --size 1280x760 --language ja --theme light --step shape --screenshot $out/window-japanese.png
+
 [ $# -ge 1 ] || exit 0
 scan=$1
 "$bin/myoface-cli" render "$scan" --size $size -o $out/scan-before.png
@@ -67,4 +70,9 @@ scan=$1
 "$bin/myoface-cli" render "$scan" --size $size --view left -o $out/drag-before.png
 "$bin/myoface-cli" render "$scan" --size $size --view left --drag "at=prn; view=left; move=-3,4" -o $out/drag-after.png
 xvfb-run -a -s '-screen 0 1600x1000x24' "$bin/myoface" "$scan" --muscle zygomaticus_major=0.8 \
-  --layers skin,muscle,bone --view three-quarter-left --screenshot $out/window-scan.png
+  --layers skin,muscle,bone --view three-quarter-left --step expression --size 1440x900 --screenshot $out/window-scan.png
+window "$scan" --size 1280x760 --expression full_smile=0.9 --step compare --compare wipe --screenshot $out/window-compare.png
+scripts/window_walk.sh "$work/walk" "$scan"
+convert "$work/walk/4-drag.png" -resize 1200x $out/window-shape.png
+montage "$work"/walk/{2-scan,3-fit,5-shaped,6-expression,7-wipe,10-report}.png -tile 3x2 -geometry 640x400+3+3 "$work/walk.png"
+convert "$work/walk.png" -quality 88 $out/walk.jpg

@@ -922,7 +922,7 @@ void MainWindow::showHints() {
            "<p><b>The steps above</b> lead from the scan to the report.</p>"
            "<p><b>Ctrl+K</b> finds everything by name, <b>F1</b> shows all keys.</p>"));
     m_hints->setStyleSheet(
-        QStringLiteral("background: rgba(20, 24, 30, 215); color: #e8ecf0;"
+        QStringLiteral("background: #1b2027; color: #e8ecf0;"
                        " border-radius: 10px; padding: 6px 18px;"));
     m_hints->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_hints->adjustSize();

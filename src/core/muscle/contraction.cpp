@@ -14,8 +14,8 @@ namespace {
 constexpr double kHold = 5.0;         // hold on the target, in usual tethers
 constexpr double kLipSoftness = 1.5;  // of the border between the lips' zones [mm]
 constexpr double kLidHold = 25.0;     // of lids, which lie on the eyeball and unroll
-constexpr double kMeeting = 0.08;     // where the lids meet, from the lower one's margin
-constexpr double kToNose = 2.6;       // the closing lower lid's way towards the nose [mm]
+constexpr double kMeeting = 0.12;     // where the lids meet, from the lower one's margin
+constexpr double kToNose = 1.5;       // way of closing lids towards the nose [mm]
 constexpr double kMidlineFade = 9.0;  // a paired muscle ends this far across the midline [mm]
 
 double smooth_step(double edge0, double edge1, double x) {
@@ -34,6 +34,11 @@ double zone_share(const MuscleTraits& traits, const Vec3& generic, const TissueP
         const double own = traits.side == Side::Left ? generic.x() : -generic.x();
         // Halves of one ring make a whole in the middle.
         share *= smooth_step(-kMidlineFade, (traits.shares_mouth ? 1.0 : 0.3) * kMidlineFade, own);
+    }
+    if (traits.group == "eye" && traits.action == MuscleAction::Purse) {
+        // The ring lies around the lids, which go along with each other only.
+        const LidPlace lid = lid_place(generic);
+        share *= 1.0 - std::max(lid.with_upper, lid.with_lower);
     }
     switch (traits.zone) {
         case MuscleZone::UpperLip:
@@ -142,8 +147,8 @@ Demand slide_lid(const FaceModel& face, int node, const MuscleTraits& traits) {
         still.hold = lid.around;
         return still;
     }
-    // The lower lid hardly rises but is drawn towards the nose; wide open, the upper one goes up by
-    // a fifth of the fissure.
+    // The lower lid hardly rises, and both are drawn towards the nose; wide open, the upper one
+    // goes up by a fifth of the fissure.
     const double fissure = lid.upper - lid.lower;
     const double meeting = lid.lower + kMeeting * fissure;
     double rise = 0.0;
@@ -166,8 +171,8 @@ Demand slide_lid(const FaceModel& face, int node, const MuscleTraits& traits) {
     Demand demand;
     demand.shift = turn * off - off;
     if (close) {
-        demand.shift +=
-            (side == Side::Left ? -1.0 : 1.0) * kToNose * lower / face.to_generic.scale * left;
+        demand.shift += (side == Side::Left ? -1.0 : 1.0) * kToNose * std::max(upper, lower) /
+                        face.to_generic.scale * left;
     }
     demand.hold = std::max({upper, lower, lid.around});
     return demand;
