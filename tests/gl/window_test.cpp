@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The real window with real mouse events.
 #include <algorithm>
+#include <random>
 
 #include <QAction>
 #include <QApplication>
@@ -14,6 +15,7 @@
 #include <QtTest>
 #include <gtest/gtest.h>
 
+#include "myoface/face/muscle_atlas.h"
 #include "myoface/io/mesh_file.h"
 #include "myoface/measure/landmarks_on_skin.h"
 #include "myoface/measure/volume.h"
@@ -633,6 +635,74 @@ TEST_F(Window, FindsLandmarksOfAScanThatHasNoneAndTakesThemByHand) {
     EXPECT_TRUE(window_.document().model());
     EXPECT_FALSE(window_.document().opened()->landmarks_detected);
     EXPECT_TRUE(settle());
+}
+
+TEST_F(Window, SurvivesRandomActions) {
+    open(path_);
+    ASSERT_TRUE(settle());
+    std::mt19937 random(2026);
+    const auto any = [&](int count) {
+        return std::uniform_int_distribution<int>(0, count - 1)(random);
+    };
+    std::vector<QAction*> actions;
+    for (QAction* action : actionsOf(window_)) {
+        // Whatever asks for a file or leaves is no random matter.
+        const QString text = plainText(*action);
+        const bool asks = action->text().contains(QStringLiteral("…")) ||
+                          text.contains("case", Qt::CaseInsensitive) || text == "Quit" ||
+                          text.contains("built-in") || text.contains("About") ||
+                          text.contains("Manual") || text.contains("screen") ||
+                          text.contains("landmarks") || text.contains("Patient view") ||
+                          text == "Keys and mouse";
+        if (!asks) {
+            actions.push_back(action);
+        }
+    }
+    ASSERT_GT(actions.size(), 20U);
+    const int keys[] = {Qt::Key_X,    Qt::Key_F,    Qt::Key_Escape, Qt::Key_Up,
+                        Qt::Key_Left, Qt::Key_Home, Qt::Key_Space,  Qt::Key_Return};
+    constexpr int kActions = 220;
+    for (int k = 0; k < kActions; ++k) {
+        switch (any(6)) {
+            case 0:
+                actions[static_cast<std::size_t>(any(static_cast<int>(actions.size())))]->trigger();
+                break;
+            case 1:
+                QTest::keyClick(&window_.view(), static_cast<Qt::Key>(keys[any(8)]));
+                break;
+            case 2:
+                window_.view().setTool(static_cast<Tool>(any(6)));
+                break;
+            case 3: {
+                const int muscle = any(static_cast<int>(muscle_atlas().size()));
+                window_.muscles().slider(muscle)->setValue(any(150) - 50);
+                break;
+            }
+            default: {
+                const QPoint from(any(window_.view().width()), any(window_.view().height()));
+                QWindow* native = window_.windowHandle();
+                const QPoint origin = window_.view().mapTo(&window_, from);
+                const Qt::MouseButton button = any(4) == 0 ? Qt::RightButton : Qt::LeftButton;
+                QTest::mousePress(native, button, {}, origin);
+                QTest::mouseMove(native, origin + QPoint(any(80) - 40, any(80) - 40));
+                QTest::qWait(any(3) == 0 ? 30 : 0);
+                QTest::mouseRelease(native, button, {}, origin);
+            }
+        }
+        QApplication::processEvents();
+    }
+    QTest::keyClick(&window_.view(), Qt::Key_Escape);
+    ASSERT_TRUE(settle());
+    EXPECT_TRUE(window_.document().skinRest().allFinite());
+    EXPECT_TRUE(window_.lastProblem().isEmpty()) << window_.lastProblem().toStdString();
+    while (window_.document().undoStack()->canUndo()) {
+        window_.document().undoStack()->undo();
+    }
+    ASSERT_TRUE(settle());
+    EXPECT_LT((window_.document().skinRest() - window_.document().model()->skin.mesh.vertices)
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-9);
 }
 
 }  // namespace
