@@ -117,7 +117,8 @@ public:
     }
     /// Mean and two standard deviations as a band, before and after as marks on it.
     void band(const ReportMeasure& m, double x, double width, double height) {
-        const auto [mean, deviation] = *m.norm;
+        const double mean = m.norm->first;
+        const double deviation = m.norm->second;
         const auto at = [&](double value) {
             const double z = std::clamp((value - mean) / deviation, -3.0, 3.0);
             return px(x + width * (z + 3.0) / 6.0);
