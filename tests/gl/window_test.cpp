@@ -648,7 +648,7 @@ TEST_F(Window, SurvivesRandomActions) {
     for (QAction* action : actionsOf(window_)) {
         // Whatever asks for a file or leaves is no random matter.
         const QString text = plainText(*action);
-        const bool asks = action->text().contains(QStringLiteral("…")) ||
+        const bool asks = action->text().contains(QStringLiteral("…")) || text.contains(".") ||
                           text.contains("case", Qt::CaseInsensitive) || text == "Quit" ||
                           text.contains("built-in") || text.contains("About") ||
                           text.contains("Manual") || text.contains("screen") ||
