@@ -13,7 +13,8 @@ SetMusclesCommand::SetMusclesCommand(FaceDocument& document, MuscleSetting setti
       m_document(document),
       m_setting(setting),
       m_muscles(std::move(muscles)),
-      m_other(std::move(values)),
+      m_other(values),
+      m_after(std::move(values)),
       m_gesture(gesture) {}
 
 double SetMusclesCommand::shown(int muscle) const {
@@ -38,6 +39,7 @@ bool SetMusclesCommand::mergeWith(const QUndoCommand* other) {
     if (next->m_gesture != m_gesture || next->m_muscles != m_muscles) {
         return false;
     }
+    m_after = next->m_after;
     bool back = true;
     for (std::size_t i = 0; i < m_muscles.size(); ++i) {
         back = back && shown(m_muscles[i]) == m_other[i];
@@ -46,9 +48,32 @@ bool SetMusclesCommand::mergeWith(const QUndoCommand* other) {
     return true;
 }
 
+Plan SetMusclesCommand::edits() const {
+    Plan plan;
+    for (std::size_t i = 0; i < m_muscles.size(); ++i) {
+        const std::string& name =
+            muscle_atlas()[static_cast<std::size_t>(m_muscles[i])].traits.name;
+        if (m_after[i] == m_other[i]) {
+            continue;
+        }
+        if (m_setting == MuscleSetting::Rate) {
+            plan.emplace_back(ContractionEdit{name, m_after[i]});
+        } else {
+            plan.emplace_back(StrengthEdit{name, m_after[i]});
+        }
+    }
+    return plan;
+}
+
 ReshapeCommand::ReshapeCommand(FaceDocument& document, const Points& before, const Points& after,
-                               const QString& text)
-    : QUndoCommand(text), m_document(document), m_model(document.model()) {
+                               const QString& text, Plan edits)
+    : QUndoCommand(text),
+      m_document(document),
+      m_model(document.model()),
+      m_edits(std::move(edits)) {
+    if (m_edits.empty() && m_model) {
+        m_edits.emplace_back(shape_edit(shape_of_scan(*m_model, after)));
+    }
     for (Eigen::Index i = 0; i < before.cols(); ++i) {
         if (before.col(i) != after.col(i)) {
             m_nodes.push_back(static_cast<int>(i));
@@ -80,6 +105,18 @@ void SetProtectionCommand::apply(const Eigen::VectorXd& share) {
     m_document.setProtection(m_model == now || !m_model || !now
                                  ? share
                                  : protection_of_nodes(*now, protection_of_scan(*m_model, share)));
+}
+
+void PlanCommand::undo() {
+    for (auto part = m_parts.rbegin(); part != m_parts.rend(); ++part) {
+        (*part)->undo();
+    }
+}
+
+void PlanCommand::redo() {
+    for (const auto& part : m_parts) {
+        part->redo();
+    }
 }
 
 void pushVariant(FaceDocument& document, const Variant& variant, const QString& text) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "face_document.h"
 
+#include "commands.h"
+
 namespace myoface {
 
 CaseState stateOf(const FaceEdits& edits) {
@@ -11,8 +13,36 @@ CaseState stateOf(const FaceEdits& edits) {
     }
     state.variants = edits.variants;
     state.notes = edits.notes;
+    if (edits.model && !edits.plan.empty()) {
+        state.plan = {plan_origin(*edits.model), edits.plan};
+    }
     return state;
 }
+
+namespace {
+
+/// The same edits with their places on another fit of the scan; what is lost there is left out.
+Plan placedOn(const FaceModel& model, const FaceModel& before, const Plan& edits) {
+    return edits.empty() ? Plan()
+                         : carried({plan_origin(before), edits}, model).edits;
+}
+
+void appendEdits(Plan& plan, const QUndoCommand& step,
+                 const std::shared_ptr<const FaceModel>& model) {
+    const auto* planned = dynamic_cast<const PlannedStep*>(&step);
+    if (planned == nullptr) {
+        for (int k = 0; k < step.childCount(); ++k) {
+            appendEdits(plan, *step.child(k), model);
+        }
+        return;
+    }
+    const auto on = planned->placedOn();
+    const Plan edits =
+        on && on != model ? placedOn(*model, *on, planned->edits()) : planned->edits();
+    plan.insert(plan.end(), edits.begin(), edits.end());
+}
+
+}  // namespace
 
 FaceDocument::FaceDocument(QObject* parent) : QObject(parent) {}
 
@@ -30,6 +60,8 @@ void FaceDocument::setFace(std::shared_ptr<const OpenedFace> opened,
     m_protection = m_model ? protection_of_nodes(*m_model, state.protection) : Eigen::VectorXd();
     m_variants = state.variants;
     m_notes = QString::fromStdString(state.notes);
+    m_passphrase = m_opened ? m_opened->passphrase : std::string();
+    m_before = m_model ? carried(state.plan, *m_model).edits : Plan();
     Q_EMIT faceChanged();
 }
 
@@ -79,18 +111,36 @@ OpenedFace FaceDocument::asSaved() const {
         face.landmarks = m_landmarks;
     }
     face.fit = m_fit;
+    face.passphrase = m_passphrase;
     return face;
+}
+
+void FaceDocument::setPassphrase(const std::string& passphrase) {
+    if (passphrase != m_passphrase) {
+        m_passphrase = passphrase;
+        m_undoStack.resetClean();  // the file is not yet as it is wanted
+        Q_EMIT passphraseChanged();
+    }
+}
+
+Plan FaceDocument::plan() const {
+    Plan plan = m_before;
+    for (int i = 0; m_model && i < m_undoStack.index(); ++i) {
+        appendEdits(plan, *m_undoStack.command(i), m_model);
+    }
+    return plan;
 }
 
 FaceEdits FaceDocument::edits() const {
     return {m_model,     m_contractions, m_skinRest, m_protection,
-            m_landmarks, m_fit,          m_variants, m_notes.toStdString()};
+            m_landmarks, m_fit,          m_variants, m_notes.toStdString(), plan()};
 }
 
 void FaceDocument::setModel(std::shared_ptr<const FaceModel> model, const Points& skinRest) {
     // What is protected goes along by the scan's vertices.
     const Eigen::VectorXd onScan =
         m_model ? protection_of_scan(*m_model, m_protection) : Eigen::VectorXd();
+    m_before = m_model ? placedOn(*model, *m_model, m_before) : Plan();
     m_model = std::move(model);
     m_skinRest = skinRest;
     m_protection = protection_of_nodes(*m_model, onScan);

@@ -21,6 +21,7 @@ struct FaceEdits {
     FitOptions fit;
     std::vector<Variant> variants;
     std::string notes;
+    Plan plan;  ///< the edits that led here, with places on `model`
 };
 /// In terms of the scan. Costs a moment on fine scans.
 CaseState stateOf(const FaceEdits& edits);
@@ -58,6 +59,11 @@ public:
     void setTissue(TissueThickness tissue);
     void setVariants(const std::vector<Variant>& variants);
     void setNotes(const QString& notes);
+    /// Of saved cases and the journal; empty: they are not protected.
+    void setPassphrase(const std::string& passphrase);
+    const std::string& passphrase() const { return m_passphrase; }
+    /// The edits that led to the face as it is, what a case brought first, with places on model().
+    Plan plan() const;
     /// The face as it is to be saved: as opened, with what was placed and chosen since.
     OpenedFace asSaved() const;
     FaceEdits edits() const;
@@ -76,6 +82,7 @@ Q_SIGNALS:
     void tissueChanged();
     void variantsChanged();
     void notesChanged();
+    void passphraseChanged();
 
 private:
     std::shared_ptr<const OpenedFace> m_opened;
@@ -87,6 +94,8 @@ private:
     FitOptions m_fit;
     std::vector<Variant> m_variants;
     QString m_notes;
+    std::string m_passphrase;
+    Plan m_before;  ///< edits from before the history begins, with places on m_model
     QUndoStack m_undoStack;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "face_files.h"
 
+#include <QBuffer>
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
@@ -18,6 +19,7 @@ namespace myoface {
 namespace {
 
 constexpr int kRecentFiles = 8;
+constexpr int kThumbnail = 256;  // [px]
 const QString kRecentKey = QStringLiteral("recentFiles");
 
 QString withSuffix(const QString& path, const QString& suffix) {
@@ -77,6 +79,13 @@ void FaceFiles::fillRecent(QMenu& menu) {
         QAction* action = menu.addAction(QFileInfo(path).fileName());
         action->setToolTip(path);
         action->setEnabled(QFileInfo::exists(path));
+        if (QFileInfo(path).suffix() == QLatin1String("myoface")) {
+            const QByteArray png = QByteArray::fromStdString(case_thumbnail(path.toStdString()));
+            QPixmap picture;
+            if (picture.loadFromData(png, "PNG")) {
+                action->setIcon(QIcon(picture));
+            }
+        }
         connect(action, &QAction::triggered, this, [this, path] { Q_EMIT openWanted(path); });
     }
     if (files.isEmpty()) {
@@ -141,7 +150,9 @@ bool FaceFiles::saveCaseAs() {
 
 bool FaceFiles::saveCaseTo(const QString& path) {
     try {
-        write_case(path.toStdString(), m_document.asSaved(), m_document.state());
+        OpenedFace face = m_document.asSaved();
+        face.thumbnail = thumbnail();
+        write_case(path.toStdString(), face, m_document.state());
     } catch (const Error& error) {
         Q_EMIT problem(QString::fromUtf8(error.what()));
         return false;
@@ -152,6 +163,24 @@ bool FaceFiles::saveCaseTo(const QString& path) {
     remember(path);
     Q_EMIT message(tr("Saved: %1").arg(path));
     return true;
+}
+
+/// The face as it is shown, small, as PNG.
+std::string FaceFiles::thumbnail() const {
+    auto* view = m_window.findChild<FaceView*>();
+    if (view == nullptr || !view->isVisible()) {
+        return m_document.opened()->thumbnail;
+    }
+    QImage picture = view->grabFramebuffer().scaled(kThumbnail, kThumbnail,
+                                                    Qt::KeepAspectRatioByExpanding,
+                                                    Qt::SmoothTransformation);
+    picture = picture.copy((picture.width() - kThumbnail) / 2,
+                           (picture.height() - kThumbnail) / 2, kThumbnail, kThumbnail);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    picture.save(&buffer, "PNG");
+    return bytes.toStdString();
 }
 
 void FaceFiles::exportFace(const SimSnapshot& shown) {

@@ -51,6 +51,7 @@ Q_SIGNALS:
 
 private:
     QString folder() const;
+    std::string thumbnail() const;
     void remember(const QString& path);
 
     FaceDocument& m_document;

@@ -20,6 +20,12 @@ JournalKeeper::JournalKeeper(FaceDocument& document, std::filesystem::path folde
         }
     });
     connect(&document, &FaceDocument::faceChanged, this, &JournalKeeper::finish);
+    connect(&document, &FaceDocument::passphraseChanged, this, [this] {
+        if (m_document.undoStack()->count() > 0) {
+            finish();  // what is there is protected otherwise
+            note();
+        }
+    });
     m_notes.setSingleShot(true);
     m_notes.setInterval(700);
     connect(&document, &FaceDocument::notesChanged, &m_notes, QOverload<>::of(&QTimer::start));
@@ -40,10 +46,13 @@ std::filesystem::path JournalKeeper::usualFolder() {
 void JournalKeeper::note() {
     QMetaObject::invokeMethod(
         &m_inThread,
-        [this, edits = m_document.edits(), opened = m_document.opened()] {
+        [this, edits = m_document.edits(), opened = m_document.opened(),
+         passphrase = m_document.passphrase()] {
             try {
                 if (!m_journal) {
-                    m_journal = std::make_shared<Journal>(m_folder, *opened);
+                    OpenedFace face = *opened;
+                    face.passphrase = passphrase;
+                    m_journal = std::make_shared<Journal>(m_folder, face);
                 }
                 m_journal->record(stateOf(edits), edits.landmarks, edits.fit);
             } catch (const std::exception& error) {

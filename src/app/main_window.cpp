@@ -38,7 +38,9 @@
 #include "measure_panel.h"
 #include "muscle_panel.h"
 #include "open_job.h"
+#include "passphrase_dialog.h"
 #include "patient_view.h"
+#include "plan_files.h"
 #include "report_panel.h"
 #include "scan_frame_editor.h"
 #include "scan_panel.h"
@@ -74,6 +76,7 @@ void MainWindow::inWorker(const std::function<void(SimulationWorker&)>& call) {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_settings(Settings::read()) {
     qRegisterMetaType<std::shared_ptr<const DragOutcome>>();
+    qRegisterMetaType<std::shared_ptr<const PlanOutcome>>();
     setWindowTitle(tr("Myoface"));
     setWindowIcon(programIcon());
     setAcceptDrops(true);
@@ -98,6 +101,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_settings(Settin
     m_thread.start();
 
     m_files = new FaceFiles(m_document, *this);
+    m_plans = new PlanFiles(
+        m_document, *this,
+        [this](const std::function<void(SimulationWorker&)>& call) { inWorker(call); });
     m_journal = new JournalKeeper(m_document, JournalKeeper::usualFolder(), this);
     connect(m_journal, &JournalKeeper::problem, this, &MainWindow::complain);
     buildDocks();
@@ -163,6 +169,10 @@ void MainWindow::connectPanels() {
     });
     connect(m_files, &FaceFiles::message, this, say);
     connect(m_files, &FaceFiles::problem, this, &MainWindow::complain);
+    connect(m_plans, &PlanFiles::message, this, say);
+    connect(m_plans, &PlanFiles::problem, this, &MainWindow::complain);
+    connect(m_worker, &SimulationWorker::planApplied, m_plans,
+            [this](const std::shared_ptr<const PlanOutcome>& o) { m_plans->finished(*o); });
     connect(m_files, &FaceFiles::reportWritten, this, &MainWindow::reportWritten);
     connect(m_files, &FaceFiles::reportWriting, m_reportPanel, &ReportPanel::setWriting);
 
@@ -446,7 +456,39 @@ void MainWindow::openPath(const QString& path) {
 }
 
 void MainWindow::startJob(const QString& path, const OpenOptions& options) {
-    begin(std::make_unique<OpenJob>(path, options));
+    OpenOptions known = options;
+    if (known.passphrase.empty() && path == m_files->path()) {  // the same case once more
+        known.passphrase = m_document.passphrase();
+    }
+    begin(std::make_unique<OpenJob>(path, known));
+}
+
+/// A protected case: asks for its passphrase and tries once more.
+void MainWindow::askAndOpen(const OpenJob& job) {
+    const std::optional<std::string> passphrase = askPassphrase(this, job.problem());
+    if (!passphrase) {
+        return;
+    }
+    if (job.recovery()) {
+        begin(std::make_unique<OpenJob>(*job.recovery(), *passphrase));
+        return;
+    }
+    OpenOptions options = job.options();
+    options.passphrase = *passphrase;
+    begin(std::make_unique<OpenJob>(job.path(), options));
+}
+
+void MainWindow::protectCase() {
+    if (!m_document.opened()) {
+        return;
+    }
+    if (const auto wanted = askNewPassphrase(this, !m_document.passphrase().empty())) {
+        m_document.setPassphrase(*wanted);
+        statusBar()->showMessage(wanted->empty()
+                                     ? tr("The case will be saved without a passphrase.")
+                                     : tr("The case will be saved with the passphrase."),
+                                 8000);
+    }
 }
 
 void MainWindow::recover(const Recovery& recovery) {
@@ -495,6 +537,10 @@ void MainWindow::jobFinished() {
     m_cancel->hide();
     const std::unique_ptr<OpenJob> job = std::move(m_job);
     OpenResult& result = job->result();
+    if (job->locked() && !qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
+        askAndOpen(*job);
+        return;
+    }
     if (!job->problem().isEmpty()) {
         complain(job->problem());  // the window stays as it was
         Q_EMIT openFailed(job->problem());

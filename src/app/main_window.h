@@ -35,6 +35,7 @@ class MeasurePanel;
 class MusclePanel;
 class OpenJob;
 class PatientView;
+class PlanFiles;
 class ReportPanel;
 class ScanFrameEditor;
 class ScanPanel;
@@ -75,6 +76,7 @@ public:
     void addExpression(const std::string& name, double intensity);
     void setLayers(const LayerOpacity& layers);
     FaceFiles& files() { return *m_files; }
+    PlanFiles& plans() { return *m_plans; }
     Comparison& comparison() { return *m_comparison; }
     ComparePanel& comparePanel() { return *m_comparePanel; }
     MeasurePanel& measures() { return *m_measures; }
@@ -134,6 +136,8 @@ private:
     void askDistance(double measured);
     void reopen(const OpenOptions& options);
     void startJob(const QString& path, const struct OpenOptions& options);
+    void askAndOpen(const OpenJob& job);
+    void protectCase();
     void begin(std::unique_ptr<OpenJob> job);
     bool mayLeave();
     void dropScene();
@@ -166,6 +170,7 @@ private:
     Settings m_settings;
     FaceView* m_view = nullptr;
     FaceFiles* m_files = nullptr;
+    PlanFiles* m_plans = nullptr;
     JournalKeeper* m_journal = nullptr;
     MusclePanel* m_muscles = nullptr;
     LayerPanel* m_layers = nullptr;

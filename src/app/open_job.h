@@ -26,19 +26,24 @@ class OpenJob final : public BackgroundJob {
 public:
     OpenJob(QString path, OpenOptions options, QObject* parent = nullptr);
     /// A face that was left behind.
-    explicit OpenJob(Recovery recovery, QObject* parent = nullptr);
+    explicit OpenJob(Recovery recovery, std::string passphrase = {}, QObject* parent = nullptr);
     ~OpenJob() override { stop(); }
 
     const QString& path() const { return m_path; }
     const std::optional<Recovery>& recovery() const { return m_recovery; }
+    const OpenOptions& options() const { return m_options; }
+    /// It ended because a passphrase is wanted.
+    bool locked() const { return m_locked; }
     OpenResult& result() { return m_result; }
 
 private:
     void run() override;
+    void open();
 
     QString m_path;
     OpenOptions m_options;
     std::optional<Recovery> m_recovery;
+    bool m_locked = false;
     OpenResult m_result;
 };
 

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QProcessEnvironment>
 
 #include "myoface/base/error.h"
 
@@ -50,6 +51,11 @@ void ReportExport::start(const FaceDocument& document, const QString& file,
     if (words.anonymous) {
         arguments << QStringLiteral("--anonymous");
     }
+    // The copy is protected as the case is.
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("MYOFACE_PASSPHRASE"),
+                       QString::fromStdString(document.passphrase()));
+    m_process.setProcessEnvironment(environment);
     m_process.start(
         QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("myoface-cli")),
         arguments);

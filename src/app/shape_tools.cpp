@@ -63,8 +63,10 @@ ShapeTools::ShapeTools(FaceDocument& document, FaceView& view, ShapePanel& panel
     });
     connect(&panel, &ShapePanel::clearProtectionAsked, this, [this] {
         if (m_protection.size() > 0 && m_protection.maxCoeff() > 0.0) {
+            ProtectEdit nothing;
+            nothing.none = true;
             m_document.undoStack()->push(
-                new SetProtectionCommand(m_document, {}, tr("protect nothing")));
+                new SetProtectionCommand(m_document, {}, tr("protect nothing"), {nothing}));
         }
     });
     connect(&view, &FaceView::brushEnded, this, &ShapeTools::endStroke);
@@ -127,7 +129,12 @@ void ShapeTools::brush(const SurfacePoint& where) {
     }
     const FaceModel& face = *m_document.model();
     const auto stroke = [&](const SurfacePoint& at) {
-        const Eigen::VectorXd touched = brushed(face, at, std::max(3.0, 0.6 * radiusAt(at)));
+        ProtectEdit edit;
+        edit.radius = std::max(3.0, 0.6 * radiusAt(at));
+        edit.erases = m_panel.erases();
+        edit.place = plan_place(face, at);
+        m_strokes.emplace_back(edit);
+        const Eigen::VectorXd touched = brushed(face, at, edit.radius);
         if (m_panel.erases()) {
             m_protection = m_protection.cwiseMin((1.0 - touched.array()).matrix());
         } else {
@@ -148,8 +155,9 @@ void ShapeTools::endStroke() {
     const bool same = kept.size() == 0 ? m_protection.isZero(0.0) : m_protection == kept;
     if (m_document.model() && !same) {
         m_document.undoStack()->push(
-            new SetProtectionCommand(m_document, m_protection, tr("protected skin")));
+            new SetProtectionCommand(m_document, m_protection, tr("protected skin"), m_strokes));
     }
+    m_strokes.clear();
 }
 
 void ShapeTools::protectionChanged() {
@@ -328,7 +336,7 @@ void ShapeTools::finished(const DragOutcome& outcome) {
     const QString title =
         outcome.title.isEmpty() ? tr("shape by %1 mm").arg(moved, 0, 'f', 1) : outcome.title;
     m_document.undoStack()->push(
-        new ReshapeCommand(m_document, outcome.before, outcome.after, title));
+        new ReshapeCommand(m_document, outcome.before, outcome.after, title, outcome.edits));
 }
 
 }  // namespace myoface

@@ -68,6 +68,7 @@ private:
     std::optional<SurfacePoint> m_under;    ///< the cursor
     std::optional<SurfacePoint> m_gripped;  ///< last: nudging goes on with it
     Eigen::VectorXd m_protection;           ///< with the stroke that is going on
+    Plan m_strokes;                         ///< the same for a plan
     bool m_paints = true;
     double m_radiusBefore = 0.0;
 };

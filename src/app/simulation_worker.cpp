@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "myoface/base/error.h"
+#include "myoface/io/text_file.h"
 #include "myoface/measure/volume.h"
 
 #include "language.h"
@@ -65,6 +66,7 @@ void SimulationWorker::setSkinRest(const Points& skinRest) {
 void SimulationWorker::beginDrag(const DragRequest& request, const ViewRay& ray) {
     guarded([&] {
         try {
+            record(request, ray);
             m_simulator->begin_drag(request, ray);
         } catch (const InvalidInput& refusal) {
             Q_EMIT refused(QString::fromUtf8(refusal.what()));
@@ -73,6 +75,7 @@ void SimulationWorker::beginDrag(const DragRequest& request, const ViewRay& ray)
 }
 
 void SimulationWorker::moveDrag(const ViewRay& ray) {
+    m_ray = ray;
     guarded([&] { m_simulator->move_drag(ray); });
 }
 
@@ -89,11 +92,40 @@ void SimulationWorker::endDrag(bool keep) {
         outcome->report = m_simulator->end_drag(keep);
         outcome->after = m_simulator->skin_rest();
         if (keep) {
+            outcome->edits = {recorded()};
             outcome->words =
                 tr("The shape has changed by, in mL:") + regions(outcome->before, outcome->after);
         }
         Q_EMIT dragFinished(outcome);
     });
+}
+
+/// Begins to write a gesture down.
+void SimulationWorker::record(const DragRequest& request, const ViewRay& ray) {
+    const FaceModel& face = m_simulator->face();
+    m_gesture = {};
+    m_gesture.mode = request.mode;
+    m_gesture.radius = request.radius;
+    m_gesture.mirrored = request.mirrored;
+    m_gesture.path = request.path;
+    m_gesture.keep = request.mode == DragMode::ConstraintPriority;
+    m_gesture.place = plan_place(face, request.where);
+    m_start = position({m_simulator->state().positions.leftCols(face.node_count()),
+                        face.skin.mesh.triangles},
+                       request.where);
+    m_ray = ray;
+}
+
+/// The gesture as a plan has it: only where the hand ended counts.
+DragEdit SimulationWorker::recorded() const {
+    DragEdit edit = m_gesture;
+    edit.view.clear();
+    for (int k = 0; k < 3; ++k) {
+        edit.view += k > 0 ? "," : "";
+        append_number(edit.view, m_ray.direction[k]);
+    }
+    edit.move = view_plane(m_ray.direction).transpose() * (m_ray.origin - m_start);
+    return edit;
 }
 
 /// What came to each region, a line each; nothing below 0.02 mL.
@@ -133,8 +165,11 @@ void SimulationWorker::nudge(const DragRequest& request, const Vec3& way, const 
         const Points skin = m_simulator->state().positions.leftCols(face.node_count());
         const Vec3 start = position({skin, face.skin.mesh.triangles}, request.where);
         const double away = 300.0;  // [mm]
+        record(request, {start - away * view, view});
+        m_ray = {start + way - away * view, view};
         m_simulator->begin_drag(request, {start - away * view, view});
-        m_simulator->move_drag({start + way - away * view, view});
+        m_simulator->move_drag(m_ray);
+        outcome.edits = {recorded()};
         m_simulator->settle();
         outcome.report = m_simulator->end_drag(true);
         outcome.words = tr("Moved by %1 mm; the hand would have to hold %2 N.")
@@ -147,6 +182,9 @@ void SimulationWorker::addVolume(const VolumeRequest& request) {
     reshaped([&](DragOutcome& outcome) {
         const VolumeReport report = add_volume(*m_simulator, request);
         outcome.report.kept_share = report.kept_share;
+        VolumeEdit edit{"", request.ml, request.radius, request.mirrored, std::nullopt};
+        edit.place = plan_place(m_simulator->face(), request.where);
+        outcome.edits = {edit};
         outcome.title = tr("volume %1 mL").arg(report.ml, 0, 'f', 2);
         outcome.words = tr("%1 mL, at %2 kPa in the middle.")
                             .arg(report.ml, 0, 'f', 2)
@@ -158,6 +196,8 @@ void SimulationWorker::addVolume(const VolumeRequest& request) {
 void SimulationWorker::meetTarget(const TargetRequest& request) {
     reshaped([&](DragOutcome& outcome) {
         const TargetReport report = meet_target(*m_simulator, request);
+        outcome.edits = {
+            TargetEdit{request.measure.id, request.value, request.relative, request.radius}};
         const int decimals = request.measure.in_degrees() ? 1 : 2;
         const QString measure = inWords(request.measure.title);
         outcome.title = tr("%1 %2").arg(measure).arg(report.reached, 0, 'f', 1);
@@ -172,6 +212,22 @@ void SimulationWorker::meetTarget(const TargetRequest& request) {
 
 void SimulationWorker::setProtection(const Eigen::VectorXd& share) {
     guarded([&] { m_simulator->set_protection(share); });
+}
+
+void SimulationWorker::applyPlan(const RecordedPlan& plan) {
+    guarded([&] {
+        auto outcome = std::make_shared<PlanOutcome>();
+        outcome->before = m_simulator->skin_rest();
+        outcome->replay = replay(*m_simulator, plan);
+        if (m_simulator->dragging()) {  // a last constraint drag is let go
+            m_simulator->end_drag(false);
+        }
+        outcome->after = m_simulator->skin_rest();
+        outcome->rates = m_simulator->contractions().rate;
+        outcome->strengths = m_simulator->contractions().strength;
+        outcome->protection = m_simulator->protection();
+        Q_EMIT planApplied(outcome);
+    });
 }
 
 void SimulationWorker::setPace(double pace) {

@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include "myoface/sim/frame_governor.h"
+#include "myoface/sim/plan_file.h"
 #include "myoface/sim/shaping.h"
 #include "myoface/sim/snapshot.h"
 
@@ -20,6 +21,15 @@ struct DragOutcome {
     Points before, after;  ///< resting skin
     QString title;         ///< for the history; empty: a gesture
     QString words;         ///< what was done, in numbers
+    Plan edits;            ///< the same for a plan
+};
+
+/// What came of a plan.
+struct PlanOutcome {
+    std::vector<double> rates, strengths;
+    Eigen::VectorXd protection;
+    Points before, after;  ///< resting skin
+    Replay replay;
 };
 
 /// Owns the simulator and lives in a thread of its own. Works in pieces of a few milliseconds while
@@ -45,12 +55,14 @@ public:
     void addVolume(const VolumeRequest& request);
     void meetTarget(const TargetRequest& request);
     void setProtection(const Eigen::VectorXd& share);
+    void applyPlan(const RecordedPlan& plan);
     /// @param pace of time, or 0: straight to rest
     void setPace(double pace);
 
 Q_SIGNALS:
     void snapshotReady();
     void dragFinished(std::shared_ptr<const myoface::DragOutcome> outcome);
+    void planApplied(std::shared_ptr<const myoface::PlanOutcome> outcome);
     void failed(const QString& sentence);
     /// An edit that cannot be done; nothing has changed.
     void refused(const QString& sentence);
@@ -59,6 +71,8 @@ private:
     void wake();
     void work();
     void publish(const StepReport& report);
+    void record(const DragRequest& request, const ViewRay& ray);
+    DragEdit recorded() const;
     QString regions(const Points& before, const Points& after) const;
     template <typename Action>
     void guarded(const Action& action);
@@ -74,8 +88,12 @@ private:
     ResponseForm m_response = ResponseForm::Smooth;
     int m_sinceChange = 0;  ///< frames
     std::uint64_t m_frame = 0;
+    DragEdit m_gesture;            ///< that goes on, for plans
+    Vec3 m_start = Vec3::Zero();   ///< of its grip [mm]
+    ViewRay m_ray;                 ///< where the hand is
 };
 
 }  // namespace myoface
 
 Q_DECLARE_METATYPE(std::shared_ptr<const myoface::DragOutcome>)
+Q_DECLARE_METATYPE(std::shared_ptr<const myoface::PlanOutcome>)

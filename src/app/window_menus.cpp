@@ -26,6 +26,7 @@
 #include "language.h"
 #include "main_window.h"
 #include "measure_panel.h"
+#include "plan_files.h"
 #include "report_panel.h"
 
 namespace myoface {
@@ -94,6 +95,7 @@ void MainWindow::buildFileMenu() {
         QStringLiteral("save"));
     add(file, tr("Save case &as…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")), m_files,
         [this] { m_files->saveCaseAs(); });
+    add(file, tr("Protect the case…"), {}, this, [this] { protectCase(); });
     add(file, tr("&Export face…"), QKeySequence(QStringLiteral("Ctrl+E")), this, [this] {
         if (m_document.model() && m_shown) {
             m_files->exportFace(*m_shown);
@@ -107,6 +109,9 @@ void MainWindow::buildFileMenu() {
         file, tr("Export &report…"), QKeySequence(QStringLiteral("Ctrl+R")), this,
         [this] { m_files->chooseReport(m_reportPanel->words(), m_measures->population()); },
         QStringLiteral("report"));
+    file->addSeparator();
+    add(file, tr("Export plan…"), {}, m_plans, [this] { m_plans->chooseExport(); });
+    add(file, tr("Apply plan…"), {}, m_plans, [this] { m_plans->chooseApply(); });
     file->addSeparator();
     add(file, tr("&Quit"), QKeySequence::Quit, this, [this] { close(); });
 }

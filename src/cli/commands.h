@@ -13,6 +13,7 @@ void add_compare(CLI::App& app);
 void add_generate(CLI::App& app);
 void add_fit(CLI::App& app);
 void add_simulate(CLI::App& app);
+void add_replay(CLI::App& app);
 void add_render(CLI::App& app);
 void add_report(CLI::App& app);
 void add_convert(CLI::App& app);

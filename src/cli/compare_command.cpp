@@ -20,11 +20,11 @@ struct Arguments {
 };
 
 void compare(const Arguments& a) {
-    const Plan plan = a.edits.edits();
+    const RecordedPlan plan = a.edits.edits();
     OpenedFace opened = a.face.open();
     find_missing_landmarks(opened);
     const auto simulator = make_simulator(opened);
-    run_plan(*simulator, plan);
+    run_plan(*simulator, plan_on(simulator->face(), plan));
     simulator->settle();
     OpenedFace after = open_face(a.result);
     if (!find_missing_landmarks(after)) {

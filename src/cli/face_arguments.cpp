@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "face_arguments.h"
 
+#include <cstdlib>
+
+#include "myoface/base/error.h"
 #include "myoface/face/muscle_atlas.h"
 #include "myoface/io/text_file.h"
 #include "myoface/muscle/expression.h"
@@ -37,6 +40,22 @@ void FaceArguments::add_to(CLI::App& command) {
                        "landmark, \"vertex N\" or x,y,z");
     command.add_option("--tissue", tissue,
                        "depth of the soft tissue over the bone: thin, mean or heavy");
+    command.add_option("--passphrase-file", passphrase_file,
+                       "file whose first line is the passphrase of protected cases, read or "
+                       "written; MYOFACE_PASSPHRASE does the same");
+}
+
+std::string FaceArguments::passphrase() const {
+    if (passphrase_file.empty()) {
+        const char* given = std::getenv("MYOFACE_PASSPHRASE");
+        return given != nullptr ? given : "";
+    }
+    const std::string text = read_file(passphrase_file);
+    const std::string line = text.substr(0, text.find_first_of("\r\n"));
+    if (line.empty()) {
+        throw InvalidInput(passphrase_file + ": its first line, the passphrase, is empty.");
+    }
+    return line;
 }
 
 OpenedFace FaceArguments::open() const {
@@ -56,7 +75,15 @@ OpenedFace FaceArguments::open() const {
     if (!tissue.empty()) {
         options.tissue = tissue_thickness(tissue);
     }
-    return open_face(face, options);
+    options.passphrase = passphrase();
+    try {
+        OpenedFace opened = open_face(face, options);
+        opened.passphrase = options.passphrase;
+        return opened;
+    } catch (const PassphraseNeeded& locked) {
+        throw IoError(std::string(locked.what()) +
+                      " Give it with --passphrase-file FILE or in MYOFACE_PASSPHRASE.");
+    }
 }
 
 void EditArguments::add_to(CLI::App& command) {
@@ -97,11 +124,12 @@ void EditArguments::add_to(CLI::App& command) {
     command.add_option("--plan", plan, "edits from a JSON file, before all others");
 }
 
-Plan EditArguments::edits() const {
-    Plan result;
+RecordedPlan EditArguments::edits() const {
+    RecordedPlan plan_file;
     if (!plan.empty()) {
-        result = plan_from_json(read_file(plan), plan);
+        plan_file = recorded_plan_from_json(read_file(plan), plan);
     }
+    Plan& result = plan_file.edits;
     for (const std::string& name : weakenings) {
         for (const auto& [muscle, strength] : weakening_named(name).strengths) {
             const MuscleTraits& traits = muscle_atlas()[static_cast<std::size_t>(muscle)].traits;
@@ -135,7 +163,7 @@ Plan EditArguments::edits() const {
     for (const std::string& text : targets) {
         result.emplace_back(parse_target(text));
     }
-    return result;
+    return plan_file;
 }
 
 }  // namespace myoface::cli

@@ -8,17 +8,21 @@
 
 #include "myoface/cases/case_file.h"
 #include "myoface/measure/measurement.h"
-#include "myoface/sim/plan.h"
+#include "myoface/sim/plan_file.h"
 
 namespace myoface::cli {
 
 /// FACE with --landmarks, --unit and --axes, as several commands take it.
 struct FaceArguments {
-    std::string face, landmarks, unit, axes, known, tissue;
+    std::string face, landmarks, unit, axes, known, tissue, passphrase_file;
 
     void add_to(CLI::App& command);
-    /// Opens the face. @throws Error
+    /// Opens the face. Cases that are written from it are protected where a passphrase was given.
+    /// @throws Error
     OpenedFace open() const;
+    /// From --passphrase-file or MYOFACE_PASSPHRASE; never from the command line itself, which
+    /// other people on the machine can see. @throws Error
+    std::string passphrase() const;
 };
 
 /// --sex and --age: whose norms.
@@ -39,7 +43,7 @@ struct EditArguments {
 
     void add_to(CLI::App& command);
     /// @throws Error
-    Plan edits() const;
+    RecordedPlan edits() const;
 };
 
 }  // namespace myoface::cli

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
         myoface::cli::add_generate(app);
         myoface::cli::add_fit(app);
         myoface::cli::add_simulate(app);
+        myoface::cli::add_replay(app);
         myoface::cli::add_render(app);
         myoface::cli::add_report(app);
         myoface::cli::add_convert(app);

@@ -112,16 +112,16 @@ void render(const Arguments& a) {
     if (a.skin_opacity >= 0.0 && layers.skin > 0.0F) {
         layers.skin = static_cast<float>(std::min(a.skin_opacity, 1.0));
     }
-    const Plan plan = a.edits.edits();
+    const RecordedPlan plan = a.edits.edits();
     Camera camera;
     camera.orientation = standard_view(a.view);
     OpenedFace opened = a.face.open();
     const bool inner = layers.muscles > 0.0F || layers.bone > 0.0F || layers.springs > 0.0F;
     std::unique_ptr<Simulator> simulator;
-    if (inner || !plan.empty() || !opened.state.rates.empty() || opened.state.shape.cols() > 0) {
+    if (inner || !plan.edits.empty() || !opened.state.rates.empty() || opened.state.shape.cols() > 0) {
         find_missing_landmarks(opened);
         simulator = make_simulator(opened);
-        run_plan(*simulator, plan);
+        run_plan(*simulator, plan_on(simulator->face(), plan));
     }
     const std::shared_ptr<const Scan> drawn = simulator ? simulator->face().scan : opened.scan;
     FaceScene scene(drawn, opened.texture);

@@ -167,11 +167,11 @@ void make_report(const Arguments& a) {
     if (std::filesystem::path(a.output).extension() != ".pdf") {
         throw InvalidInput(a.output + ": a report is written as .pdf.");
     }
-    const Plan plan = a.edits.edits();
+    const RecordedPlan plan = a.edits.edits();
     OpenedFace opened = a.face.open();
     find_missing_landmarks(opened);
     const auto simulator = make_simulator(opened);
-    run_plan(*simulator, plan);
+    run_plan(*simulator, plan_on(simulator->face(), plan));
     if (simulator->dragging()) {
         simulator->end_drag(false);
         simulator->settle();

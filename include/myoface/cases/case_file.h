@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "myoface/base/error.h"
 #include "myoface/base/progress.h"
 #include "myoface/cases/case_state.h"
 #include "myoface/face/face_search.h"
@@ -15,6 +16,16 @@
 #include "myoface/sim/simulator.h"
 
 namespace myoface {
+
+/// A case is protected by a passphrase that was not given, or by another one.
+class PassphraseNeeded : public IoError {
+public:
+    PassphraseNeeded(const std::string& file, bool given);
+    bool given() const { return given_; }  ///< else none was
+
+private:
+    bool given_;
+};
 
 /// A face as it was opened: from a scan file, from a case, or generated.
 struct OpenedFace {
@@ -29,6 +40,9 @@ struct OpenedFace {
     std::string name;        ///< for the window's title
     std::string scan_name;   ///< file name of the scan
     std::string scan_bytes;  ///< the scan's file, byte for byte
+    std::string pseudonym;   ///< what a case calls the patient; empty: made when it is written
+    std::string thumbnail;   ///< PNG, or nothing
+    std::string passphrase;  ///< of the case it came from; cases written from it have it too
 };
 
 /// A distance on the scan that somebody knows, for calibration: "from=…; to=…; mm=…" with ends
@@ -47,6 +61,7 @@ struct OpenOptions {
     std::optional<Mat3> axes;
     std::optional<KnownDistance> known;  ///< wins over mm_per_unit
     std::optional<TissueThickness> tissue;
+    std::string passphrase;  ///< of a protected case, or nothing
 };
 
 /// Opens OBJ, PLY, STL, glTF, a .myoface case, or the word "generic". Without given landmarks a
@@ -66,14 +81,22 @@ std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened,
                                           const SimulatorOptions& options = {},
                                           const Progress* progress = nullptr);
 
-/// Reads a case of this or an older version. @throws IoError
+/// Reads a case of this or an older version.
+/// @throws PassphraseNeeded when it is protected, IoError
 OpenedFace read_case(const std::string& path, const OpenOptions& options = {},
                      const Progress* progress = nullptr);
 
 /// Writes a case: a zip with manifest.json (schema 2), the scan byte for byte, its textures and the
-/// parts of the state. The file appears whole or not at all, also when power fails meanwhile.
+/// parts of the state; see docs/dev/case-format.md. The file appears whole or not at all, also when
+/// power fails meanwhile. May be called from any thread, as long as nobody changes what it is given.
 /// @throws IoError
 void write_case(const std::filesystem::path& file, const OpenedFace& opened,
                 const CaseState& state);
+
+/// What of a case can be shown without opening it: a PNG, or nothing where there is none, where it
+/// is protected, or where it is no case.
+std::string case_thumbnail(const std::filesystem::path& file);
+/// A name for a patient that says nothing of him, the same for the same scan: "MF-7K3Q-W2".
+std::string pseudonym_of(const Scan& scan);
 
 }  // namespace myoface

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "myoface/face/face_model.h"
 #include "myoface/muscle/contraction.h"
+#include "myoface/sim/plan_file.h"
 
 namespace myoface {
 
@@ -26,6 +28,7 @@ struct CaseState {
     Eigen::VectorXd protection;  ///< 0 … 1 per vertex that the scan came with, or nothing
     std::vector<Variant> variants;
     std::string notes;  ///< UTF-8
+    RecordedPlan plan;  ///< the edits that led here, as far as they were recorded
 };
 CaseState case_state(const FaceModel& face, const Contractions& contractions,
                      const Points& skin_rest);
@@ -46,9 +49,10 @@ struct StateParts {
 };
 StateParts to_parts(const CaseState& state);
 /// @param part gives the bytes of a part, or nothing where it is missing
+/// @param vertices of the scan: a state cannot hold more
 /// @param name of the file, for the sentence @throws IoError
 CaseState from_parts(const std::string& json_text,
                      const std::function<std::string(const std::string&)>& part,
-                     const std::string& name);
+                     std::int64_t vertices, const std::string& name);
 
 }  // namespace myoface

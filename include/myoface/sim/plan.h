@@ -10,10 +10,20 @@
 
 namespace myoface {
 
+/// A place of the skin as a recorded edit holds it: exact on the face it was made on, and by the
+/// average head and the nearest landmark on any other. @see carried()
+struct PlanPlace {
+    SurfacePoint where;        ///< on FaceModel::skin
+    Vec3 xyz = Vec3::Zero();   ///< on the scan as it was, our frame [mm]
+    Vec3 head = Vec3::Zero();  ///< on the average head [mm]
+    std::string near;          ///< landmark
+    Vec3 off = Vec3::Zero();   ///< from that landmark, to the face's left, up and front [mm]
+};
+
 /// A drag as a script gives it:
 /// "at=prn|vertex 3440|x,y,z; view=left|dx,dy,dz; move=RIGHT,UP; mode=mouse|constraint; radius=MM;
-///  mirror=0|1; path=free|normal|midplane". Points are in the scan file's own unit and axes, moves
-///  in mm in the view's plane.
+///  mirror=0|1; path=free|normal|midplane; keep=0|1". Points are in the scan file's own unit and
+/// axes, moves in mm in the view's plane. A mouse drag always keeps its shape.
 struct DragEdit {
     std::string at = "prn";
     std::string view = "front";
@@ -22,6 +32,8 @@ struct DragEdit {
     double radius = 0.0;
     bool mirrored = false;
     DragPath path = DragPath::Free;
+    bool keep = false;               ///< of a constraint drag: the shape stays
+    std::optional<PlanPlace> place;  ///< wins over `at`
 };
 /// @throws InvalidInput saying which part is wrong
 DragEdit parse_drag(const std::string& text);
@@ -33,26 +45,32 @@ struct VolumeEdit {
     double ml = 0.5;
     double radius = 0.0;
     bool mirrored = false;
+    std::optional<PlanPlace> place;
 };
 /// @throws InvalidInput saying which part is wrong
 VolumeEdit parse_volume(const std::string& text);
 std::string volume_to_text(const VolumeEdit& volume);
 
-/// "MEASURE=NUMBER" or "MEASURE by CHANGE". @see meet_target()
+/// "MEASURE=NUMBER" or "MEASURE by CHANGE", and "; radius=MM". @see meet_target()
 struct TargetEdit {
     std::string measure;
     double value = 0.0;
     bool relative = false;
+    double radius = 0.0;
 };
 /// @throws InvalidInput
 TargetEdit parse_target(const std::string& text);
 std::string target_to_text(const TargetEdit& target);
 
-/// "at=…; radius=MM; mirror=0|1": skin that the edits after it leave alone.
+/// "at=…; radius=MM; mirror=0|1; erase=0|1": skin that the edits after it leave alone, or no longer
+/// do. "none": all of it is free again.
 struct ProtectEdit {
     std::string at;
     double radius = 0.0;
     bool mirrored = false;
+    bool erases = false;
+    bool none = false;
+    std::optional<PlanPlace> place;
 };
 /// @throws InvalidInput
 ProtectEdit parse_protect(const std::string& text);
@@ -73,17 +91,22 @@ struct ExpressionEdit {
     double intensity = 1.0;
 };
 
+/// A shape that no gesture made: of a variant that was taken, or the scan's own.
+struct ShapeEdit {
+    int vertices = 0;        ///< of the scan; 0: as the scan came
+    std::vector<int> moved;  ///< which of them
+    Points by;               ///< 3×moved [mm]
+};
+/// @param shape see shape_of_scan()
+ShapeEdit shape_edit(const Points& shape);
+
 /// Edits in the order they are made.
 using Edit = std::variant<ContractionEdit, StrengthEdit, DragEdit, ExpressionEdit, VolumeEdit,
-                          TargetEdit, ProtectEdit>;
+                          TargetEdit, ProtectEdit, ShapeEdit>;
 using Plan = std::vector<Edit>;
 
-/// {"plan": [{"muscle": name, "rate": c}, {"muscle": name, "strength": s}, {"drag": text},
-///           {"expression": name, "intensity": w}, {"volume": text}, {"target": text},
-///           {"protect": text}]}
-/// @throws IoError, InvalidInput
-Plan plan_from_json(const std::string& text, const std::string& name);
-std::string plan_to_json(const Plan& plan);
+/// What kind of edit it is, in a word or two: "drag", "muscle zygomaticus_major.L".
+std::string edit_title(const Edit& edit);
 
 /// "NAME=value" of a --muscle or --strength option. @throws InvalidInput
 std::pair<std::string, double> parse_setting(const std::string& text);
@@ -103,5 +126,14 @@ struct PlanReport {
 /// @throws InvalidInput naming the edit
 PlanReport run_plan(Simulator& simulator, const Plan& plan,
                     std::optional<double> seconds = std::nullopt);
+
+/// An edit that could not be made, and why.
+struct RefusedEdit {
+    int edit = 0;  ///< from 1
+    std::string what, why;
+};
+/// As run_plan(), but an edit that cannot be made is left out and told.
+PlanReport run_what_goes(Simulator& simulator, const Plan& plan, std::vector<RefusedEdit>& refused,
+                         std::optional<double> seconds = std::nullopt);
 
 }  // namespace myoface

@@ -2,12 +2,15 @@
 #include "myoface/cases/case_file.h"
 
 #include <algorithm>
-#include <zip.h>
+#include <cctype>
+#include <cstring>
 
 #include <nlohmann/json.hpp>
 
 #include "myoface/base/error.h"
 #include "myoface/io/text_file.h"
+
+#include "archive.h"
 
 namespace myoface {
 namespace {
@@ -16,107 +19,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr int kSchema = 2;
-constexpr zip_uint64_t kLargestPart = 2'000'000'000;
-
-struct Archive {
-    zip_t* handle = nullptr;
-    ~Archive() {
-        if (handle != nullptr) {
-            zip_discard(handle);
-        }
-    }
-};
-
-std::string read_part(zip_t* archive, const char* part, const std::string& name, bool needed) {
-    zip_stat_t stat;
-    zip_stat_init(&stat);
-    if (zip_stat(archive, part, 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0) {
-        if (needed) {
-            throw IoError(name + ": is not a Myoface case (" + part + " is missing).");
-        }
-        return {};
-    }
-    // A small archive must not unpack to more than a scan can be.
-    if (stat.size > kLargestPart || stat.size > 2000 * (stat.comp_size + 1000)) {
-        throw IoError(name + ": " + part + " is larger than a case can hold.");
-    }
-    std::string bytes(stat.size, '\0');
-    zip_file_t* file = zip_fopen(archive, part, 0);
-    const bool good = file != nullptr && zip_fread(file, bytes.data(), stat.size) ==
-                                             static_cast<zip_int64_t>(stat.size);
-    if (file != nullptr) {
-        zip_fclose(file);
-    }
-    if (!good) {
-        throw IoError(name + ": " + part + " cannot be unpacked, the case is damaged.");
-    }
-    return bytes;
-}
-
-/// A zip that is made in memory, so that the file on disk appears whole or not at all. What is
-/// added must outlive bytes().
-class MemoryArchive {
-public:
-    explicit MemoryArchive(std::string name) : name_(std::move(name)) {
-        zip_error_init(&error_);
-        source_ = zip_source_buffer_create(nullptr, 0, 0, &error_);
-        archive_.handle =
-            source_ != nullptr ? zip_open_from_source(source_, ZIP_TRUNCATE, &error_) : nullptr;
-        if (archive_.handle == nullptr) {
-            fail();
-        }
-        zip_source_keep(source_);
-    }
-    ~MemoryArchive() {
-        zip_source_free(source_);
-        zip_error_fini(&error_);
-    }
-    MemoryArchive(const MemoryArchive&) = delete;
-    MemoryArchive& operator=(const MemoryArchive&) = delete;
-
-    void add(const std::string& part, const std::string& bytes) {
-        constexpr std::size_t kLarge = 1 << 20;
-        zip_source_t* source = zip_source_buffer(archive_.handle, bytes.data(), bytes.size(), 0);
-        const zip_int64_t index = source == nullptr ? -1
-                                                    : zip_file_add(archive_.handle, part.c_str(),
-                                                                   source, ZIP_FL_OVERWRITE);
-        if (index < 0) {
-            fail();
-        }
-        // Time counts more than the last tenth of size.
-        zip_set_file_compression(archive_.handle, static_cast<zip_uint64_t>(index), ZIP_CM_DEFLATE,
-                                 bytes.size() > kLarge ? 1 : 6);
-    }
-    std::string bytes() {
-        if (zip_close(archive_.handle) != 0) {
-            fail();
-        }
-        archive_.handle = nullptr;
-        zip_stat_t stat;
-        zip_stat_init(&stat);
-        if (zip_source_stat(source_, &stat) != 0 || zip_source_open(source_) != 0) {
-            fail();
-        }
-        std::string result(stat.size, '\0');
-        const bool whole = zip_source_read(source_, result.data(), stat.size) ==
-                           static_cast<zip_int64_t>(stat.size);
-        zip_source_close(source_);
-        if (!whole) {
-            fail();
-        }
-        return result;
-    }
-
-private:
-    [[noreturn]] void fail() const {
-        throw IoError(name_ + ": the case cannot be packed, memory may be short.");
-    }
-
-    std::string name_;
-    zip_error_t error_;
-    zip_source_t* source_ = nullptr;
-    Archive archive_;
-};
+constexpr const char* kThumbnail = "thumbnail.png";
 
 /// Looks and pictures of a scan's materials, which stand in files of their own beside a scan.
 json materials_to_json(const Scan& scan) {
@@ -131,13 +34,14 @@ std::string texture_part(std::size_t number) {
     return "texture-" + std::to_string(number);
 }
 
-void restore_materials(const json& manifest, zip_t* archive, const std::string& path, Scan& scan) {
+void restore_materials(const json& manifest, const ZipReader& archive, const std::string& path,
+                       Scan& scan) {
     try {
         const json textures = manifest.value("textures", json::array());
         scan.textures.resize(std::min<std::size_t>(textures.size(), 64));
         for (std::size_t t = 0; t < scan.textures.size(); ++t) {
             scan.textures[t].name = textures[t].get<std::string>();
-            scan.textures[t].bytes = read_part(archive, texture_part(t).c_str(), path, false);
+            scan.textures[t].bytes = archive.part(texture_part(t), false);
         }
         const json materials = manifest.value("materials", json::array());
         for (std::size_t m = 0; m < std::min(materials.size(), scan.materials.size()); ++m) {
@@ -166,67 +70,133 @@ Points first_shape(const std::string& bytes, const std::string& name) {
     return shape;
 }
 
+/// What kind of file a scan was; the rest of its name may be the patient's.
+std::string plain_name(const std::string& stem, const std::string& name) {
+    const std::string extension = fs::path(name).extension().string();
+    const bool plain = extension.size() > 1 && extension.size() <= 5 &&
+                       std::all_of(extension.begin() + 1, extension.end(),
+                                   [](unsigned char c) { return std::isalnum(c) != 0; });
+    return stem + (plain ? extension : std::string());
+}
+
+json read_manifest(const ZipReader& archive, const std::string& path) {
+    json manifest = json::parse(archive.part("manifest.json", true), nullptr, false);
+    if (!manifest.is_object() || !manifest.contains("format") ||
+        manifest["format"] != "myoface-case" || !manifest.contains("schema") ||
+        !manifest["schema"].is_number_integer()) {
+        throw IoError(path + ": its manifest is damaged.");
+    }
+    const auto schema = manifest["schema"].get<std::int64_t>();
+    if (schema > kSchema) {
+        throw IoError(path + ": was written by a newer Myoface; open it with that one.");
+    }
+    if (schema < 1) {
+        throw IoError(path + ": its manifest has no such schema as " + std::to_string(schema) +
+                      ".");
+    }
+    return manifest;
+}
+
+std::string text_of(const json& manifest, const char* key, const std::string& path) {
+    if (!manifest.contains(key)) {
+        return {};
+    }
+    if (!manifest[key].is_string()) {
+        throw IoError(path + ": its manifest is damaged (\"" + key + "\" is no text).");
+    }
+    return manifest[key].get<std::string>();
+}
+
+TissueThickness tissue_of(const std::string& name, const std::string& path) {
+    try {
+        return tissue_thickness(name);
+    } catch (const InvalidInput& problem) {
+        throw IoError(path + ": " + problem.what());
+    }
+}
+
+FileFrame frame_of(const json& manifest, const std::string& path) {
+    FileFrame frame;
+    try {
+        frame.mm_per_unit = manifest.at("mm_per_unit").get<double>();
+        if (manifest.at("axes").size() != 9) {
+            throw IoError(path + ": its unit or axes are damaged.");
+        }
+        for (int i = 0; i < 9; ++i) {
+            frame.axes(i / 3, i % 3) =
+                manifest.at("axes").at(static_cast<std::size_t>(i)).get<double>();
+        }
+    } catch (const json::exception&) {
+        throw IoError(path + ": its unit or axes are damaged.");
+    }
+    const bool turn = (frame.axes * frame.axes.transpose()).isIdentity(1e-9) &&
+                      frame.axes.determinant() > 0.0;
+    if (!(frame.mm_per_unit > 1e-6 && frame.mm_per_unit < 1e6) || !turn) {
+        throw IoError(path + ": its unit or axes are damaged.");
+    }
+    return frame;
+}
+
+/// All of the manifest that is not state. Names of files stay out: they may be the patient's.
+void describe_face(const OpenedFace& opened, json& manifest) {
+    manifest["format"] = "myoface-case";
+    manifest["schema"] = kSchema;
+    manifest["note"] = "A planning and communication aid, not a medical device.";
+    manifest["pseudonym"] =
+        opened.pseudonym.empty() ? pseudonym_of(*opened.scan) : opened.pseudonym;
+    manifest["scan"] = plain_name("scan", opened.scan_name);
+    manifest["materials"] = materials_to_json(*opened.scan);
+    manifest["textures"] = json::array();
+    for (std::size_t t = 0; t < opened.scan->textures.size(); ++t) {
+        manifest["textures"].push_back(
+            plain_name(texture_part(t), opened.scan->textures[t].name));
+    }
+    manifest["mm_per_unit"] = opened.scan->frame.mm_per_unit;
+    manifest["axes"] = json::array();
+    for (int i = 0; i < 9; ++i) {
+        manifest["axes"].push_back(opened.scan->frame.axes(i / 3, i % 3));
+    }
+    if (opened.landmarks) {
+        manifest["landmarks"] =
+            json::parse(landmarks_to_json(*opened.landmarks, opened.scan->frame))["landmarks"];
+        for (auto& [name, value] : manifest["landmarks"].items()) {
+            value = {{"xyz", value}, {"est_error_mm", opened.landmarks->at(name).error_mm}};
+        }
+    }
+    manifest["tissue_depth"] = thickness_name(opened.fit.tissue);
+}
+
 }  // namespace
+
+PassphraseNeeded::PassphraseNeeded(const std::string& file, bool given)
+    : IoError(file + (given ? ": is protected by another passphrase than this one."
+                            : ": is protected by a passphrase, which is needed to open it.")),
+      given_(given) {}
 
 OpenedFace read_case(const std::string& path, const OpenOptions& options,
                      const Progress* progress) {
-    int code = 0;
-    Archive archive{zip_open(path.c_str(), ZIP_RDONLY, &code)};
-    if (archive.handle == nullptr) {
-        throw IoError(path + ": is not a Myoface case (it is not a zip archive).");
-    }
-    const json manifest =
-        json::parse(read_part(archive.handle, "manifest.json", path, true), nullptr, false);
-    if (!manifest.is_object() || manifest.value("format", json()) != "myoface-case" ||
-        !manifest.contains("schema") || !manifest["schema"].is_number_integer()) {
-        throw IoError(path + ": its manifest is damaged.");
-    }
-    if (manifest["schema"].get<int>() > kSchema) {
-        throw IoError(path + ": was written by a newer Myoface; open it with that one.");
-    }
+    const ZipReader archive(path, path, options.passphrase);
+    const json manifest = read_manifest(archive, path);
     OpenedFace face;
     face.name = fs::path(path).filename().string();
-    face.scan_bytes = read_part(archive.handle, "scan", path, true);
+    face.passphrase = archive.encrypted("manifest.json") ? options.passphrase : "";
+    face.scan_bytes = archive.part("scan", true);
+    face.thumbnail = archive.part(kThumbnail, false);
+    face.pseudonym = text_of(manifest, "pseudonym", path);
+    face.scan_name = text_of(manifest, "scan", path);
     if (manifest.contains("tissue_depth")) {
-        if (!manifest["tissue_depth"].is_string()) {
-            throw IoError(path + ": its tissue depth is no text.");
-        }
-        face.fit.tissue = tissue_thickness(manifest["tissue_depth"]);
+        face.fit.tissue = tissue_of(text_of(manifest, "tissue_depth", path), path);
     }
-    face.state = from_parts(
-        manifest.dump(),
-        [&](const std::string& part) {
-            return read_part(archive.handle, part.c_str(), path, false);
-        },
-        path);
-    ReadOptions read;
-    try {
-        face.scan_name = manifest.at("scan").get<std::string>();
-        read.mm_per_unit = manifest.at("mm_per_unit").get<double>();
-        Mat3 axes;
-        for (int i = 0; i < 9; ++i) {
-            axes(i / 3, i % 3) = manifest.at("axes").at(static_cast<std::size_t>(i)).get<double>();
-        }
-        read.axes = axes;
-    } catch (const json::exception&) {
-        throw IoError(path + ": its manifest is damaged.");
-    }
-    const bool turn =
-        (*read.axes * read.axes->transpose()).isIdentity(1e-9) && read.axes->determinant() > 0.0;
-    if (!(*read.mm_per_unit > 1e-6 && *read.mm_per_unit < 1e6) || !turn) {
-        throw IoError(path + ": its unit or axes are damaged.");
-    }
-    const FileFrame kept{*read.mm_per_unit, *read.axes};
-    if (options.mm_per_unit) {
-        read.mm_per_unit = options.mm_per_unit;
-    }
-    if (options.axes) {
-        read.axes = options.axes;
-    }
+    const FileFrame kept = frame_of(manifest, path);
+    const ReadOptions read{options.mm_per_unit.value_or(kept.mm_per_unit),
+                           options.axes.value_or(kept.axes)};
     auto scan =
         std::make_shared<Scan>(read_mesh_bytes(face.scan_bytes, face.scan_name, read, progress));
-    restore_materials(manifest, archive.handle, path, *scan);
+    restore_materials(manifest, archive, path, *scan);
     face.texture = load_texture(*scan);
+    face.state = from_parts(
+        manifest.dump(), [&](const std::string& part) { return archive.part(part, false); },
+        scan->mesh.vertex_count(), path);
     if (options.placed) {
         face.landmarks = in_model_frame(*options.placed, scan->frame);
     } else if (manifest.contains("landmarks")) {
@@ -235,7 +205,7 @@ OpenedFace read_case(const std::string& path, const OpenOptions& options,
             scan->frame);
     }
     if (manifest["schema"].get<int>() < 2) {
-        face.state.shape = first_shape(read_part(archive.handle, "shape.f64", path, false), path);
+        face.state.shape = first_shape(archive.part("shape.f64", false), path);
     }
     // The shape was kept in the frame of its time.
     const Mat3 change =
@@ -251,48 +221,55 @@ OpenedFace read_case(const std::string& path, const OpenOptions& options,
 
 void write_case(const std::filesystem::path& file, const OpenedFace& opened,
                 const CaseState& state) {
-    const StateParts parts = to_parts(state);
-    json manifest = json::parse(parts.json);
-    manifest["format"] = "myoface-case";
-    manifest["schema"] = kSchema;
-    manifest["note"] = "A planning and communication aid, not a medical device.";
-    manifest["scan"] = opened.scan_name;
-    manifest["materials"] = materials_to_json(*opened.scan);
-    manifest["textures"] = json::array();
-    for (const Texture& texture : opened.scan->textures) {
-        manifest["textures"].push_back(texture.name);
-    }
-    manifest["mm_per_unit"] = opened.scan->frame.mm_per_unit;
-    json axes = json::array();
-    for (int i = 0; i < 9; ++i) {
-        axes.push_back(opened.scan->frame.axes(i / 3, i % 3));
-    }
-    manifest["axes"] = axes;
-    if (opened.landmarks) {
-        manifest["landmarks"] =
-            json::parse(landmarks_to_json(*opened.landmarks, opened.scan->frame))["landmarks"];
-        for (auto& [name, value] : manifest["landmarks"].items()) {
-            value = {{"xyz", value}, {"est_error_mm", opened.landmarks->at(name).error_mm}};
-        }
-    }
-    manifest["tissue_depth"] = thickness_name(opened.fit.tissue);
-    const std::string made = opened.scan_bytes.empty()  // generated: it has no file
+    const StateParts state_parts = to_parts(state);
+    json manifest = json::parse(state_parts.json);
+    describe_face(opened, manifest);
+    // A generated face has no file.
+    const std::string made = opened.scan_bytes.empty()
                                  ? mesh_bytes("scan.ply", *opened.scan, opened.scan->mesh.vertices)
                                  : std::string();
-    const std::string& scan_bytes = opened.scan_bytes.empty() ? made : opened.scan_bytes;
     const std::string text = manifest.dump(1, ' ', false, json::error_handler_t::replace);
-    MemoryArchive archive(file.string());
-    archive.add("manifest.json", text);
-    archive.add("scan", scan_bytes);
+    std::vector<ZipPart> parts{{"manifest.json", text},
+                               {"scan", opened.scan_bytes.empty() ? made : opened.scan_bytes}};
+    if (!opened.thumbnail.empty()) {
+        parts.push_back({kThumbnail, opened.thumbnail});
+    }
     for (std::size_t t = 0; t < opened.scan->textures.size(); ++t) {
         if (!opened.scan->textures[t].bytes.empty()) {
-            archive.add(texture_part(t), opened.scan->textures[t].bytes);
+            parts.push_back({texture_part(t), opened.scan->textures[t].bytes});
         }
     }
-    for (const auto& [name, bytes] : parts.parts) {
-        archive.add(name, bytes);
+    for (const auto& [name, bytes] : state_parts.parts) {
+        parts.push_back({name, bytes});
     }
-    write_file(file, archive.bytes(), Durability::SurvivesPowerLoss);
+    write_file(file, zip_bytes(parts, opened.passphrase, file.string()),
+               Durability::SurvivesPowerLoss);
+}
+
+std::string case_thumbnail(const std::filesystem::path& file) {
+    try {
+        const ZipReader archive(file, file.string(), {});
+        return archive.encrypted(kThumbnail) ? std::string() : archive.part(kThumbnail, false);
+    } catch (const IoError&) {
+        return {};
+    }
+}
+
+std::string pseudonym_of(const Scan& scan) {
+    std::uint64_t sum = 14695981039346656037ULL;
+    for (Eigen::Index k = 0; k < scan.file_vertices.size(); ++k) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, scan.file_vertices.data() + k, sizeof word);
+        sum = (sum ^ word) * 1099511628211ULL;
+    }
+    sum ^= sum >> 32;
+    constexpr const char* kLetters = "23456789ABCDEFGHJKLMNPQRSTUVWXYZ";  // none looks like another
+    std::string name = "MF-";
+    for (int k = 0; k < 6; ++k) {
+        name += k == 4 ? "-" : "";
+        name += kLetters[(sum >> (5 * k)) % 32];
+    }
+    return name;
 }
 
 }  // namespace myoface

@@ -16,7 +16,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMostVariants = 200;
-constexpr std::int64_t kMostVertices = 100'000'000;
 
 /// Only what moved: how many there are, then number and value of each that is not zero.
 std::string sparse(const Points& values) {
@@ -39,7 +38,7 @@ std::string sparse(const Points& values) {
     return bytes;
 }
 
-Points dense(const std::string& bytes, const std::string& name) {
+Points dense(const std::string& bytes, std::int64_t vertices, const std::string& name) {
     constexpr std::size_t kEntry = sizeof(std::int64_t) + 3 * sizeof(double);
     const auto damaged = [&] { return IoError(name + ": the shape of the skin is damaged."); };
     if (bytes.empty()) {
@@ -51,8 +50,11 @@ Points dense(const std::string& bytes, const std::string& name) {
     }
     std::memcpy(&all, bytes.data(), sizeof all);
     const auto count = static_cast<std::int64_t>((bytes.size() - sizeof all) / kEntry);
-    if (all < 0 || all > kMostVertices || count > all) {
+    if (all < 0 || count > all) {
         throw damaged();
+    }
+    if (all > vertices) {
+        throw IoError(name + ": the shape of the skin belongs to a larger scan.");
     }
     Points values = Points::Zero(3, all);
     for (const char* at = bytes.data() + sizeof all; at < bytes.data() + bytes.size();
@@ -187,13 +189,16 @@ StateParts to_parts(const CaseState& state) {
         padded.row(0) = state.protection;
         result.parts["protection"] = sparse(padded);
     }
+    if (!state.plan.edits.empty()) {
+        object["plan"] = json::parse(recorded_plan_to_json(state.plan));
+    }
     result.json = object.dump(1, ' ', false, json::error_handler_t::replace);
     return result;
 }
 
 CaseState from_parts(const std::string& json_text,
                      const std::function<std::string(const std::string&)>& part,
-                     const std::string& name) {
+                     std::int64_t vertices, const std::string& name) {
     const json object = json::parse(json_text, nullptr, false);
     if (!object.is_object()) {
         throw IoError(name + ": its settings are damaged.");
@@ -202,15 +207,18 @@ CaseState from_parts(const std::string& json_text,
     state.rates = settings(object, "contractions", kLeastContraction, kMostContraction, name);
     state.strengths = settings(object, "strengths", 0.0, 1.0, name);
     state.notes = text_of(object, "notes", name);
-    state.shape = dense(part("shape"), name);
-    const Points protection = dense(part("protection"), name);
+    state.shape = dense(part("shape"), vertices, name);
+    const Points protection = dense(part("protection"), vertices, name);
     if (protection.cols() > 0) {
         state.protection = protection.row(0);
         if (state.protection.minCoeff() < 0.0 || state.protection.maxCoeff() > 1.0) {
             throw IoError(name + ": what it protects is out of range.");
         }
     }
-    const json variants = object.value("variants", json::array());
+    if (object.contains("plan")) {
+        state.plan = recorded_plan_from_json(object["plan"].dump(), name + ", plan");
+    }
+    const json variants = object.contains("variants") ? object["variants"] : json::array();
     if (!variants.is_array() || variants.size() > kMostVariants) {
         throw IoError(name + ": its variants are damaged.");
     }
@@ -223,7 +231,7 @@ CaseState from_parts(const std::string& json_text,
         variant.rates =
             settings(variants[i], "contractions", kLeastContraction, kMostContraction, name);
         variant.strengths = settings(variants[i], "strengths", 0.0, 1.0, name);
-        variant.shape = dense(part(variant_part(i)), name);
+        variant.shape = dense(part(variant_part(i)), vertices, name);
         state.variants.push_back(std::move(variant));
     }
     return state;

@@ -16,6 +16,8 @@
 #include "myoface/base/error.h"
 #include "myoface/io/text_file.h"
 
+#include "archive.h"
+
 namespace myoface {
 namespace {
 
@@ -25,6 +27,7 @@ namespace fs = std::filesystem;
 constexpr const char* kFace = "face.myoface";
 constexpr const char* kState = "state";
 constexpr const char* kLock = "lock";
+constexpr const char* kSealed = "sealed";  ///< a protected record within a record
 constexpr char kMagic[8] = {'M', 'Y', 'O', 'J', 'R', 'N', 'L', '1'};
 
 /// FNV-1a: tells a whole record from a torn one.
@@ -73,20 +76,8 @@ struct Record {
     std::map<std::string, std::string> parts;
 };
 
-Record read_record(const fs::path& file) {
-    const std::string bytes = read_file(file);
-    const std::string name = file.string();
-    constexpr std::size_t kHead = sizeof kMagic + sizeof(std::uint64_t);
-    if (bytes.size() < kHead || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) {
-        throw IoError(name + ": is no journal.");
-    }
-    std::uint64_t expected = 0;
-    std::memcpy(&expected, bytes.data() + sizeof kMagic, sizeof expected);
-    const std::string_view body = std::string_view(bytes).substr(kHead);
+Record record_of(std::string_view body, const std::string& name) {
     Pieces pieces(body, name);
-    if (checksum(body) != expected) {
-        pieces.damaged();
-    }
     Record record;
     record.header = json::parse(pieces.next(), nullptr, false);
     if (!record.header.is_object()) {
@@ -97,6 +88,47 @@ Record read_record(const fs::path& file) {
         record.parts[std::move(key)] = pieces.next();
     }
     return record;
+}
+
+Record read_record(const fs::path& file) {
+    const std::string bytes = read_file(file);
+    const std::string name = file.string();
+    constexpr std::size_t kHead = sizeof kMagic + sizeof(std::uint64_t);
+    if (bytes.size() < kHead || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) {
+        throw IoError(name + ": is no journal.");
+    }
+    std::uint64_t expected = 0;
+    std::memcpy(&expected, bytes.data() + sizeof kMagic, sizeof expected);
+    const std::string_view body = std::string_view(bytes).substr(kHead);
+    if (checksum(body) != expected) {
+        throw IoError(name + ": the journal is damaged.");
+    }
+    return record_of(body, name);
+}
+
+/// A record's body, as record_of() reads it.
+std::string body_of(const json& header, const std::map<std::string, std::string>& parts) {
+    std::string body;
+    append_sized(body, header.dump(-1, ' ', false, json::error_handler_t::replace));
+    for (const auto& [name, bytes] : parts) {
+        append_sized(body, name);
+        append_sized(body, bytes);
+    }
+    return body;
+}
+
+std::string text_in(const json& header, const char* key) {
+    return header.contains(key) && header[key].is_string() ? header[key].get<std::string>() : "";
+}
+
+Landmarks landmarks_in(const json& object) {
+    Landmarks landmarks;
+    for (const auto& [name, v] : object.items()) {
+        landmarks[name].position = {v.at(0).get<double>(), v.at(1).get<double>(),
+                                    v.at(2).get<double>()};
+        landmarks[name].error_mm = v.at(3).get<double>();
+    }
+    return landmarks;
 }
 
 std::string now_in_words() {
@@ -110,7 +142,8 @@ std::string now_in_words() {
 
 }  // namespace
 
-Journal::Journal(const fs::path& folder, const OpenedFace& face) : name_(face.name) {
+Journal::Journal(const fs::path& folder, const OpenedFace& face)
+    : name_(face.name), passphrase_(face.passphrase) {
     const auto stamp = std::chrono::system_clock::now().time_since_epoch().count();
     own_ = folder / ("face-" + std::to_string(stamp) + "-" + std::to_string(::getpid()));
     std::error_code error;
@@ -143,11 +176,13 @@ void Journal::record(const CaseState& state, const Landmarks& landmarks, const F
         header["landmarks"][name] = {landmark.position.x(), landmark.position.y(),
                                      landmark.position.z(), landmark.error_mm};
     }
-    std::string body;
-    append_sized(body, header.dump(-1, ' ', false, json::error_handler_t::replace));
-    for (const auto& [name, bytes] : parts.parts) {
-        append_sized(body, name);
-        append_sized(body, bytes);
+    std::string body = body_of(header, parts.parts);
+    if (!passphrase_.empty()) {
+        json outer;
+        for (const char* told : {"name", "gestures", "saved"}) {
+            outer[told] = header[told];
+        }
+        body = body_of(outer, {{kSealed, zip_bytes({{kSealed, body}}, passphrase_, name_)}});
     }
     const std::uint64_t sum = checksum(body);
     std::string bytes(kMagic, sizeof kMagic);
@@ -179,9 +214,9 @@ std::vector<Recovery> recoverable(const fs::path& folder) {
         }
         try {
             const Record record = read_record(entry.path() / kState);
-            found.push_back({entry.path(), record.header.value("name", std::string()),
-                             record.header.value("gestures", 0),
-                             record.header.value("saved", std::string())});
+            found.push_back({entry.path(), text_in(record.header, "name"),
+                             record.header.value("gestures", 0), text_in(record.header, "saved"),
+                             record.parts.count(kSealed) != 0});
         } catch (const std::exception&) {
             // Ended before anything was done; a young one may just be beginning.
             const auto age = fs::file_time_type::clock::now() - fs::last_write_time(lock, error);
@@ -195,21 +230,23 @@ std::vector<Recovery> recoverable(const fs::path& folder) {
     return found;
 }
 
-OpenedFace recover(const Recovery& recovery, const Progress* progress) {
+OpenedFace recover(const Recovery& recovery, const Progress* progress,
+                   const std::string& passphrase) {
     const fs::path file = recovery.folder / kState;
-    const Record record = read_record(file);
-    OpenedFace face = read_case((recovery.folder / kFace).string(), {}, progress);
+    const std::string name = file.string();
+    Record record = read_record(file);
+    if (const auto sealed = record.parts.find(kSealed); sealed != record.parts.end()) {
+        const std::string opened = ZipReader(ZipReader::Memory{sealed->second}, name, passphrase).part(kSealed, true);
+        record = record_of(opened, name);
+    }
+    OpenOptions options;
+    options.passphrase = passphrase;
+    OpenedFace face = read_case((recovery.folder / kFace).string(), options, progress);
+    face.name = text_in(record.header, "name");
     try {
-        face.name = record.header.at("name").get<std::string>();
         face.fit.tissue = tissue_thickness(record.header.at("tissue_depth").get<std::string>());
         if (record.header.contains("landmarks")) {
-            Landmarks landmarks;
-            for (const auto& [name, v] : record.header["landmarks"].items()) {
-                landmarks[name].position = {v.at(0).get<double>(), v.at(1).get<double>(),
-                                            v.at(2).get<double>()};
-                landmarks[name].error_mm = v.at(3).get<double>();
-            }
-            face.landmarks = std::move(landmarks);
+            face.landmarks = landmarks_in(record.header["landmarks"]);
         }
         face.state = from_parts(
             record.header.at("state").dump(),
@@ -217,9 +254,9 @@ OpenedFace recover(const Recovery& recovery, const Progress* progress) {
                 const auto at = record.parts.find(part);
                 return at == record.parts.end() ? std::string() : at->second;
             },
-            file.string());
+            face.scan->mesh.vertex_count(), name);
     } catch (const json::exception&) {
-        throw IoError(file.string() + ": the journal is damaged.");
+        throw IoError(name + ": the journal is damaged.");
     }
     return face;
 }

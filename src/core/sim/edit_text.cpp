@@ -5,6 +5,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "myoface/base/error.h"
+#include "myoface/base/view_ray.h"
+
 namespace myoface {
 
 std::string trimmed(const std::string& text) {
@@ -50,6 +53,20 @@ void each_part(const std::string& text,
                  equals == std::string::npos ? "" : trimmed(part.substr(equals + 1)));
         }
     }
+}
+
+ViewAxes view_axes(const std::string& name) {
+    const std::vector<double> xyz = numbers(name);
+    if (xyz.size() == 3) {
+        const Vec3 direction(xyz[0], xyz[1], xyz[2]);
+        if (!(direction.norm() > 1e-9 && direction.norm() < 1e9)) {
+            throw InvalidInput("View '" + name + "': the direction has no usable length.");
+        }
+        const auto plane = view_plane(direction);
+        return {plane.col(0), plane.col(1), direction.normalized()};
+    }
+    const Eigen::Quaterniond q = standard_view(name);
+    return {q * Vec3::UnitX(), q * Vec3::UnitY(), q * -Vec3::UnitZ()};
 }
 
 }  // namespace myoface

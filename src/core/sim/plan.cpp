@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+// Carries plans out.
 #include "myoface/sim/plan.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
-
-#include <nlohmann/json.hpp>
 
 #include "myoface/base/error.h"
-#include "myoface/io/text_file.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/muscle/expression.h"
 
@@ -18,9 +13,8 @@
 namespace myoface {
 namespace {
 
-using nlohmann::json;
-
 constexpr double kProtectRadius = 10.0;  // [mm]
+constexpr double kFarFromSkin = 25.0;    // [mm]
 
 Vec3 grabbed_place(const FaceModel& face, const std::string& at) {
     if (at.rfind("vertex", 0) == 0) {
@@ -45,362 +39,217 @@ Vec3 grabbed_place(const FaceModel& face, const std::string& at) {
     return found->second.position;
 }
 
-struct View {
-    Vec3 right, up, forward;
-};
-
-View view_of(const std::string& name) {
-    const std::vector<double> xyz = numbers(name);
-    if (xyz.size() == 3) {
-        const Vec3 direction(xyz[0], xyz[1], xyz[2]);
-        if (!(direction.norm() > 1e-9)) {
-            throw InvalidInput("Drag: the view direction has no length.");
+/// The place of the skin that is meant. Places are meant on the scan as it was.
+SurfacePoint place_on_skin(const FaceModel& face, const std::string& at,
+                           const std::optional<PlanPlace>& place) {
+    if (place) {
+        if (place->where.triangle < 0 ||
+            place->where.triangle >= face.skin.mesh.triangle_count()) {
+            throw InvalidInput("Its place is on a triangle that this face does not have.");
         }
-        const auto plane = view_plane(direction);
-        return {plane.col(0), plane.col(1), direction.normalized()};
+        return place->where;
     }
-    const Eigen::Quaterniond q = standard_view(name);
-    return {q * Vec3::UnitX(), q * Vec3::UnitY(), q * -Vec3::UnitZ()};
-}
-
-/// The place of the skin that is meant, and where it is now. Places are meant on the scan as it
-/// was.
-SurfacePoint place_on_skin(const FaceModel& face, const std::string& at) {
     const ClosestPoint hit =
         Bvh(face.skin.mesh).closest_point(face.skin.mesh, grabbed_place(face, at));
-    if (hit.distance > 25.0) {
-        throw InvalidInput("'" + at + "' lies " + std::to_string(static_cast<int>(hit.distance)) +
+    if (!(hit.distance <= kFarFromSkin)) {
+        throw InvalidInput("'" + at + "' lies " +
+                           std::to_string(static_cast<int>(std::min(hit.distance, 1e6))) +
                            " mm away from the skin.");
     }
     return hit.where;
 }
 
-DragReport run_drag(Simulator& simulator, const DragEdit& drag, bool last, PlanReport& report) {
-    const FaceModel& face = simulator.face();
-    const TriangleMesh now{simulator.state().positions.leftCols(face.node_count()),
-                           face.skin.mesh.triangles};
-    const SurfacePoint where = place_on_skin(face, drag.at);
-    DragRequest request;
-    request.where = where;
-    request.mode = drag.mode;
-    request.radius = drag.radius;
-    request.mirrored = drag.mirrored;
-    request.path = drag.path;
-    const View view = view_of(drag.view);
-    ViewRay ray{position(now, where), view.forward};
-    simulator.begin_drag(request, ray);
-    ray.origin += drag.move.x() * view.right + drag.move.y() * view.up;
-    simulator.move_drag(ray);
-    report.last = simulator.settle();
-    DragReport result = *report.last.drag;
-    if (drag.mode == DragMode::MousePriority || !last) {
-        simulator.end_drag(drag.mode == DragMode::MousePriority);
+/// Makes one edit after the other.
+class PlanRunner {
+public:
+    PlanRunner(Simulator& simulator, PlanReport& report)
+        : simulator_(simulator), report_(report) {}
+
+    void run(const Edit& edit, bool last) {
+        last_ = last;
+        std::visit(*this, edit);
     }
-    return result;
-}
-
-constexpr std::array<std::string_view, 3> kPaths{"free", "normal", "midplane"};
-
-/// Radius and mirror, which several edits have. @return whether the key was one of them
-template <typename Wrong>
-bool take_place(const std::string& key, const std::string& value, double& radius, bool& mirrored,
-                const Wrong& wrong) {
-    if (key == "radius") {
-        if (!read_number(value, radius) || radius < 0.0 || radius > 100.0) {
-            wrong("radius is a number of millimetres from 0 to 100.");
+    void finish(std::optional<double> seconds) {
+        if (seconds) {
+            if (simulator_.dragging()) {
+                simulator_.end_drag(false);
+            }
+            report_.last = simulator_.live_on(*seconds);
+        } else if (!settled_) {
+            report_.last = simulator_.settle();
         }
-        return true;
     }
-    if (key == "mirror") {
-        if (value != "0" && value != "1") {
-            wrong("mirror is 0 or 1.");
+
+    void operator()(const ContractionEdit& edit) {
+        for (const int m : muscles_named(edit.muscle)) {
+            simulator_.set_contraction(m, edit.rate);
         }
-        mirrored = value == "1";
-        return true;
+        settled_ = false;
     }
-    return false;
-}
+    void operator()(const StrengthEdit& edit) {
+        for (const int m : muscles_named(edit.muscle)) {
+            simulator_.set_strength(m, edit.strength);
+        }
+        settled_ = false;
+    }
+    void operator()(const ExpressionEdit& edit) {
+        if (!(edit.intensity >= 0.0 && edit.intensity <= 1.0)) {
+            throw InvalidInput("The intensity of " + edit.expression +
+                               " must lie between 0 and 1.");
+        }
+        std::vector<double> rates = simulator_.contractions().rate;
+        add_expression(rates, expression_named(edit.expression), edit.intensity);
+        for (std::size_t m = 0; m < rates.size(); ++m) {
+            if (rates[m] != simulator_.contractions().rate[m]) {
+                simulator_.set_contraction(static_cast<int>(m), rates[m]);
+            }
+        }
+        settled_ = false;
+    }
+    void operator()(const DragEdit& drag) {
+        settle();
+        const FaceModel& face = simulator_.face();
+        const TriangleMesh now{simulator_.state().positions.leftCols(face.node_count()),
+                               face.skin.mesh.triangles};
+        DragRequest request;
+        request.where = place_on_skin(face, drag.at, drag.place);
+        request.mode = drag.mode;
+        request.radius = drag.radius;
+        request.mirrored = drag.mirrored;
+        request.path = drag.path;
+        const ViewAxes view = view_axes(drag.view);
+        ViewRay ray{position(now, request.where), view.forward};
+        simulator_.begin_drag(request, ray);
+        ray.origin += drag.move.x() * view.right + drag.move.y() * view.up;
+        simulator_.move_drag(ray);
+        report_.last = simulator_.settle();
+        DragReport result = *report_.last.drag;
+        const bool keep = drag.mode == DragMode::MousePriority || drag.keep;
+        if (keep || !last_) {
+            const DragReport ended = simulator_.end_drag(keep);
+            result.kept_share = ended.kept_share;
+        }
+        report_.drags.push_back(result);
+    }
+    void operator()(const VolumeEdit& edit) {
+        settle();
+        settled_ = false;
+        const SurfacePoint where = place_on_skin(simulator_.face(), edit.at, edit.place);
+        report_.volumes.push_back(
+            add_volume(simulator_, {where, edit.ml, edit.radius, edit.mirrored}));
+    }
+    void operator()(const TargetEdit& edit) {
+        settle();
+        settled_ = false;
+        report_.targets.push_back(meet_target(
+            simulator_, {target_measure(edit.measure), edit.value, edit.relative, edit.radius}));
+    }
+    /// Adds to what is protected already, or takes from it.
+    void operator()(const ProtectEdit& edit) {
+        if (edit.none) {
+            simulator_.set_protection({});
+            return;
+        }
+        const FaceModel& face = simulator_.face();
+        const double radius = edit.radius > 0.0 ? edit.radius : kProtectRadius;
+        Eigen::VectorXd share = simulator_.protection().size() > 0
+                                    ? simulator_.protection()
+                                    : Eigen::VectorXd::Zero(face.node_count());
+        const auto stroke = [&](const SurfacePoint& where) {
+            const Eigen::VectorXd touched = brushed(face, where, radius);
+            share = edit.erases ? share.cwiseMin((1.0 - touched.array()).matrix()).eval()
+                                : share.cwiseMax(touched).eval();
+        };
+        const SurfacePoint where = place_on_skin(face, edit.at, edit.place);
+        stroke(where);
+        if (edit.mirrored) {
+            stroke(mirrored_place(face, where));
+        }
+        simulator_.set_protection(share);
+    }
+    void operator()(const ShapeEdit& edit) {
+        settle();
+        const FaceModel& face = simulator_.face();
+        Points shape(3, 0);
+        if (edit.vertices != 0) {
+            if (edit.vertices != face.own_vertices) {
+                throw InvalidInput("It is the shape of another scan, with " +
+                                   std::to_string(edit.vertices) + " vertices.");
+            }
+            shape = Points::Zero(3, edit.vertices);
+            shape(Eigen::all, edit.moved) = edit.by;
+        }
+        simulator_.set_skin_rest(shape.cols() > 0 ? shaped_skin(face, shape)
+                                                  : face.skin.mesh.vertices);
+        settled_ = false;
+    }
 
-void append_place(std::string& text, double radius, bool mirrored) {
-    if (radius > 0.0) {
-        text += "; radius=";
-        append_number(text, radius);
+private:
+    void settle() {
+        if (!settled_) {
+            report_.last = simulator_.settle();
+        }
+        settled_ = true;
     }
-    text += mirrored ? "; mirror=1" : "";
-}
 
-/// Adds to what is protected already.
-void run_protect(Simulator& simulator, const ProtectEdit& protect) {
-    const FaceModel& face = simulator.face();
-    const double radius = protect.radius > 0.0 ? protect.radius : kProtectRadius;
-    Eigen::VectorXd share = simulator.protection().size() > 0
-                                ? simulator.protection()
-                                : Eigen::VectorXd::Zero(face.node_count());
-    const SurfacePoint where = place_on_skin(face, protect.at);
-    share = share.cwiseMax(brushed(face, where, radius));
-    if (protect.mirrored) {
-        share = share.cwiseMax(brushed(face, mirrored_place(face, where), radius));
-    }
-    simulator.set_protection(share);
-}
+    Simulator& simulator_;
+    PlanReport& report_;
+    bool settled_ = false, last_ = false;
+};
 
 }  // namespace
 
-DragEdit parse_drag(const std::string& text) {
-    DragEdit drag;
-    each_part(text, [&](const std::string& key, const std::string& value) {
-        const auto wrong = [&](const std::string& what) {
-            throw InvalidInput("Drag '" + text + "': " + what);
-        };
-        if (key == "at") {
-            drag.at = value;
-        } else if (key == "view") {
-            drag.view = value;
-            view_of(value);
-        } else if (key == "move") {
-            const std::vector<double> xy = numbers(value);
-            if (xy.size() != 2 || std::abs(xy[0]) > 200.0 || std::abs(xy[1]) > 200.0) {
-                wrong("move needs two numbers of millimetres, RIGHT,UP, of at most 200.");
-            }
-            drag.move = {xy[0], xy[1]};
-        } else if (key == "mode") {
-            if (value != "mouse" && value != "constraint") {
-                wrong("mode is mouse or constraint.");
-            }
-            drag.mode = value == "mouse" ? DragMode::MousePriority : DragMode::ConstraintPriority;
-        } else if (key == "path") {
-            const auto path = std::find(kPaths.begin(), kPaths.end(), value);
-            if (path == kPaths.end()) {
-                wrong("path is free, normal or midplane.");
-            }
-            drag.path = static_cast<DragPath>(path - kPaths.begin());
-        } else if (!take_place(key, value, drag.radius, drag.mirrored, wrong)) {
-            wrong("'" + key + "' is not one of at, view, move, mode, radius, mirror, path.");
-        }
-    });
-    return drag;
-}
-
-VolumeEdit parse_volume(const std::string& text) {
-    VolumeEdit volume;
-    each_part(text, [&](const std::string& key, const std::string& value) {
-        const auto wrong = [&](const std::string& what) {
-            throw InvalidInput("Volume '" + text + "': " + what);
-        };
-        if (key == "at") {
-            volume.at = value;
-        } else if (key == "ml") {
-            if (!read_number(value, volume.ml)) {
-                wrong("ml is a number of millilitres.");
-            }
-        } else if (!take_place(key, value, volume.radius, volume.mirrored, wrong)) {
-            wrong("'" + key + "' is not one of at, ml, radius, mirror.");
-        }
-    });
-    return volume;
-}
-
-std::string volume_to_text(const VolumeEdit& volume) {
-    std::string text = "at=" + volume.at + "; ml=";
-    append_number(text, volume.ml);
-    append_place(text, volume.radius, volume.mirrored);
-    return text;
-}
-
-TargetEdit parse_target(const std::string& text) {
-    TargetEdit target;
-    const std::size_t by = text.rfind(" by ");
-    const std::size_t equals = text.rfind('=');
-    const bool relative = equals == std::string::npos && by != std::string::npos;
-    const std::size_t at = relative ? by : equals;
-    if (at == std::string::npos ||
-        !read_number(text.substr(at + (relative ? 4 : 1)), target.value)) {
-        throw InvalidInput("Target '" + text +
-                           "' is neither \"MEASURE=NUMBER\" nor \"MEASURE by CHANGE\".");
-    }
-    target.measure = trimmed(text.substr(0, at));
-    target.relative = relative;
-    target_measure(target.measure);
-    return target;
-}
-
-std::string target_to_text(const TargetEdit& target) {
-    std::string text = target.measure + (target.relative ? " by " : "=");
-    append_number(text, target.value);
-    return text;
-}
-
-ProtectEdit parse_protect(const std::string& text) {
-    ProtectEdit protect;
-    each_part(text, [&](const std::string& key, const std::string& value) {
-        const auto wrong = [&](const std::string& what) {
-            throw InvalidInput("Protect '" + text + "': " + what);
-        };
-        if (key == "at") {
-            protect.at = value;
-        } else if (!take_place(key, value, protect.radius, protect.mirrored, wrong)) {
-            wrong("'" + key + "' is not one of at, radius, mirror.");
-        }
-    });
-    return protect;
-}
-
-std::string protect_to_text(const ProtectEdit& protect) {
-    std::string text = "at=" + protect.at;
-    append_place(text, protect.radius, protect.mirrored);
-    return text;
-}
-
-std::string drag_to_text(const DragEdit& drag) {
-    std::string text = "at=" + drag.at + "; view=" + drag.view + "; move=";
-    append_number(text, drag.move.x());
-    text += ',';
-    append_number(text, drag.move.y());
-    text += drag.mode == DragMode::MousePriority ? "; mode=mouse" : "; mode=constraint";
-    append_place(text, drag.radius, drag.mirrored);
-    if (drag.path != DragPath::Free) {
-        text += "; path=";
-        text += kPaths[static_cast<std::size_t>(drag.path)];
-    }
-    return text;
-}
-
-Plan plan_from_json(const std::string& text, const std::string& name) {
-    const json document = json::parse(text, nullptr, false);
-    if (!document.is_object() || !document.contains("plan") || !document["plan"].is_array()) {
-        throw IoError(name + ": is not a plan: a JSON object with a list \"plan\" is needed.");
-    }
-    Plan plan;
-    for (const json& edit : document["plan"]) {
-        const std::string place = name + " edit " + std::to_string(plan.size() + 1) + ": ";
-        const bool muscle =
-            edit.is_object() && edit.contains("muscle") && edit["muscle"].is_string();
-        const auto is_text = [&](const char* key) {
-            return edit.is_object() && edit.contains(key) && edit[key].is_string();
-        };
-        if (is_text("drag")) {
-            plan.emplace_back(parse_drag(edit["drag"].get<std::string>()));
-        } else if (is_text("volume")) {
-            plan.emplace_back(parse_volume(edit["volume"].get<std::string>()));
-        } else if (is_text("target")) {
-            plan.emplace_back(parse_target(edit["target"].get<std::string>()));
-        } else if (is_text("protect")) {
-            plan.emplace_back(parse_protect(edit["protect"].get<std::string>()));
-        } else if (muscle && edit.contains("rate") && edit["rate"].is_number()) {
-            plan.emplace_back(
-                ContractionEdit{edit["muscle"].get<std::string>(), edit["rate"].get<double>()});
-        } else if (edit.is_object() && edit.contains("expression") &&
-                   edit["expression"].is_string() && edit.contains("intensity") &&
-                   edit["intensity"].is_number()) {
-            plan.emplace_back(ExpressionEdit{edit["expression"].get<std::string>(),
-                                             edit["intensity"].get<double>()});
-        } else if (muscle && edit.contains("strength") && edit["strength"].is_number()) {
-            plan.emplace_back(
-                StrengthEdit{edit["muscle"].get<std::string>(), edit["strength"].get<double>()});
-        } else {
-            throw IoError(
-                place +
-                "is none of drag, volume, target and protect, nor a muscle with a rate or "
-                "strength, nor an expression with an intensity.");
+ShapeEdit shape_edit(const Points& shape) {
+    ShapeEdit edit;
+    edit.vertices = static_cast<int>(shape.cols());
+    for (Eigen::Index v = 0; v < shape.cols(); ++v) {
+        if (!shape.col(v).isZero(0.0)) {
+            edit.moved.push_back(static_cast<int>(v));
         }
     }
-    return plan;
+    edit.by = shape(Eigen::all, edit.moved);
+    return edit;
 }
 
-std::string plan_to_json(const Plan& plan) {
-    json list = json::array();
-    for (const Edit& edit : plan) {
-        if (const auto* rate = std::get_if<ContractionEdit>(&edit)) {
-            list.push_back({{"muscle", rate->muscle}, {"rate", rate->rate}});
-        } else if (const auto* strength = std::get_if<StrengthEdit>(&edit)) {
-            list.push_back({{"muscle", strength->muscle}, {"strength", strength->strength}});
-        } else if (const auto* expression = std::get_if<ExpressionEdit>(&edit)) {
-            list.push_back(
-                {{"expression", expression->expression}, {"intensity", expression->intensity}});
-        } else if (const auto* volume = std::get_if<VolumeEdit>(&edit)) {
-            list.push_back({{"volume", volume_to_text(*volume)}});
-        } else if (const auto* target = std::get_if<TargetEdit>(&edit)) {
-            list.push_back({{"target", target_to_text(*target)}});
-        } else if (const auto* protect = std::get_if<ProtectEdit>(&edit)) {
-            list.push_back({{"protect", protect_to_text(*protect)}});
-        } else {
-            list.push_back({{"drag", drag_to_text(std::get<DragEdit>(edit))}});
-        }
-    }
-    return json{{"plan", list}}.dump(1) + "\n";
-}
-
-std::pair<std::string, double> parse_setting(const std::string& text) {
-    const std::size_t equals = text.rfind('=');
-    double value = 0.0;
-    if (equals == std::string::npos || equals == 0 ||
-        !read_number(text.substr(equals + 1), value)) {
-        throw InvalidInput("'" + text + "' is not of the form NAME=NUMBER.");
-    }
-    return {trimmed(text.substr(0, equals)), value};
+std::string edit_title(const Edit& edit) {
+    struct Titles {
+        std::string operator()(const ContractionEdit& e) const { return "muscle " + e.muscle; }
+        std::string operator()(const StrengthEdit& e) const { return "strength of " + e.muscle; }
+        std::string operator()(const ExpressionEdit& e) const { return "expression " + e.expression; }
+        std::string operator()(const DragEdit&) const { return "drag"; }
+        std::string operator()(const VolumeEdit&) const { return "volume"; }
+        std::string operator()(const TargetEdit& e) const { return "target " + e.measure; }
+        std::string operator()(const ProtectEdit&) const { return "protected skin"; }
+        std::string operator()(const ShapeEdit&) const { return "shape"; }
+    };
+    return std::visit(Titles{}, edit);
 }
 
 PlanReport run_plan(Simulator& simulator, const Plan& plan, std::optional<double> seconds) {
     PlanReport report;
-    bool settled = false;
+    PlanRunner runner(simulator, report);
     for (std::size_t i = 0; i < plan.size(); ++i) {
-        if (const auto* expression = std::get_if<ExpressionEdit>(&plan[i])) {
-            if (!(expression->intensity >= 0.0 && expression->intensity <= 1.0)) {
-                throw InvalidInput("The intensity of " + expression->expression +
-                                   " must lie between 0 and 1.");
+        runner.run(plan[i], i + 1 == plan.size());
+    }
+    runner.finish(seconds);
+    return report;
+}
+
+PlanReport run_what_goes(Simulator& simulator, const Plan& plan, std::vector<RefusedEdit>& refused,
+                         std::optional<double> seconds) {
+    PlanReport report;
+    PlanRunner runner(simulator, report);
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        try {
+            runner.run(plan[i], i + 1 == plan.size());
+        } catch (const InvalidInput& problem) {
+            if (simulator.dragging()) {
+                simulator.end_drag(false);
             }
-            std::vector<double> rates = simulator.contractions().rate;
-            add_expression(rates, expression_named(expression->expression), expression->intensity);
-            for (std::size_t m = 0; m < rates.size(); ++m) {
-                if (rates[m] != simulator.contractions().rate[m]) {
-                    simulator.set_contraction(static_cast<int>(m), rates[m]);
-                }
-            }
-            settled = false;
-            continue;
-        }
-        if (const auto* rate = std::get_if<ContractionEdit>(&plan[i])) {
-            for (const int m : muscles_named(rate->muscle)) {
-                simulator.set_contraction(m, rate->rate);
-            }
-            settled = false;
-        } else if (const auto* strength = std::get_if<StrengthEdit>(&plan[i])) {
-            for (const int m : muscles_named(strength->muscle)) {
-                simulator.set_strength(m, strength->strength);
-            }
-            settled = false;
-        } else if (const auto* protect = std::get_if<ProtectEdit>(&plan[i])) {
-            run_protect(simulator, *protect);
-        } else {
-            if (!settled) {
-                report.last = simulator.settle();
-            }
-            settled = true;
-            if (const auto* volume = std::get_if<VolumeEdit>(&plan[i])) {
-                report.volumes.push_back(
-                    add_volume(simulator, {place_on_skin(simulator.face(), volume->at), volume->ml,
-                                           volume->radius, volume->mirrored}));
-                settled = false;
-                continue;
-            }
-            if (const auto* target = std::get_if<TargetEdit>(&plan[i])) {
-                report.targets.push_back(meet_target(
-                    simulator, {target_measure(target->measure), target->value, target->relative}));
-                settled = false;
-                continue;
-            }
-            const bool last = i + 1 == plan.size();
-            report.drags.push_back(run_drag(simulator, std::get<DragEdit>(plan[i]), last, report));
+            refused.push_back({static_cast<int>(i) + 1, edit_title(plan[i]), problem.what()});
         }
     }
-    if (seconds) {
-        if (simulator.dragging()) {
-            simulator.end_drag(false);
-        }
-        report.last = simulator.live_on(*seconds);
-    } else if (!settled) {
-        report.last = simulator.settle();
-    }
+    runner.finish(seconds);
     return report;
 }
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "archive.h"
+
+#include <utility>
+#include <zip.h>
+
+#include "myoface/cases/case_file.h"
+
+namespace myoface {
+namespace {
+
+constexpr zip_uint64_t kLargestPart = 2'000'000'000;
+
+}  // namespace
+
+void CloseZip::operator()(zip* handle) const {
+    zip_discard(handle);
+}
+
+ZipReader::ZipReader(const std::filesystem::path& file, std::string name, std::string passphrase)
+    : name_(std::move(name)), passphrase_(std::move(passphrase)) {
+    int code = 0;
+    handle_.reset(zip_open(file.c_str(), ZIP_RDONLY, &code));
+    take_passphrase();
+}
+
+ZipReader::ZipReader(Memory memory, std::string name, std::string passphrase)
+    : name_(std::move(name)), passphrase_(std::move(passphrase)) {
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* source = zip_source_buffer_create(memory.bytes.data(), memory.bytes.size(), 0, &error);
+    if (source != nullptr) {
+        handle_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
+        if (!handle_) {
+            zip_source_free(source);
+        }
+    }
+    zip_error_fini(&error);
+    take_passphrase();
+}
+
+void ZipReader::take_passphrase() {
+    if (!handle_) {
+        throw IoError(name_ + ": is not a Myoface case (it is not a zip archive).");
+    }
+    if (!passphrase_.empty()) {
+        zip_set_default_password(handle_.get(), passphrase_.c_str());
+    }
+}
+
+bool ZipReader::has(const std::string& part) const {
+    return zip_name_locate(handle_.get(), part.c_str(), 0) >= 0;
+}
+
+bool ZipReader::encrypted(const std::string& part) const {
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    return zip_stat(handle_.get(), part.c_str(), 0, &stat) == 0 &&
+           (stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 &&
+           stat.encryption_method != ZIP_EM_NONE;
+}
+
+std::string ZipReader::part(const std::string& part, bool needed) const {
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    if (zip_stat(handle_.get(), part.c_str(), 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0) {
+        if (needed) {
+            throw IoError(name_ + ": is not a Myoface case (" + part + " is missing).");
+        }
+        return {};
+    }
+    // A small archive must not unpack to more than a scan can be.
+    if (stat.size > kLargestPart || stat.size > 2000 * (stat.comp_size + 1000)) {
+        throw IoError(name_ + ": " + part + " is larger than a case can hold.");
+    }
+    const bool locked = encrypted(part);
+    if (locked && passphrase_.empty()) {
+        throw PassphraseNeeded(name_, false);
+    }
+    zip_file_t* file = zip_fopen(handle_.get(), part.c_str(), 0);
+    if (file == nullptr) {
+        const int code = zip_error_code_zip(zip_get_error(handle_.get()));
+        if (locked && (code == ZIP_ER_WRONGPASSWD || code == ZIP_ER_NOPASSWD)) {
+            throw PassphraseNeeded(name_, true);
+        }
+        throw IoError(name_ + ": " + part + " cannot be unpacked, the case is damaged.");
+    }
+    std::string bytes(stat.size, '\0');
+    bool good =
+        zip_fread(file, bytes.data(), stat.size) == static_cast<zip_int64_t>(stat.size);
+    char more = 0;
+    good = good && zip_fread(file, &more, 1) == 0;  // at the end, sums are checked
+    zip_fclose(file);
+    if (!good) {
+        throw IoError(name_ + ": " + part + " cannot be unpacked, the case is damaged.");
+    }
+    return bytes;
+}
+
+std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& passphrase,
+                      const std::string& name) {
+    const auto fail = [&] {
+        return IoError(name + ": the case cannot be packed, memory may be short.");
+    };
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, &error);
+    const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> keep(target, zip_source_free);
+    std::unique_ptr<zip, CloseZip> archive(
+        target != nullptr ? zip_open_from_source(target, ZIP_TRUNCATE, &error) : nullptr);
+    zip_error_fini(&error);
+    if (!archive) {
+        throw fail();
+    }
+    zip_source_keep(target);
+    for (const ZipPart& part : parts) {
+        constexpr std::size_t kLarge = 1 << 20;
+        zip_source_t* source =
+            zip_source_buffer(archive.get(), part.bytes.data(), part.bytes.size(), 0);
+        const zip_int64_t added =
+            source == nullptr
+                ? -1
+                : zip_file_add(archive.get(), part.name.c_str(), source, ZIP_FL_OVERWRITE);
+        if (added < 0) {
+            zip_source_free(source);
+            throw fail();
+        }
+        const auto index = static_cast<zip_uint64_t>(added);
+        // Time counts more than the last tenth of size.
+        zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE,
+                                 part.bytes.size() > kLarge ? 1 : 6);
+        if (!passphrase.empty() &&
+            zip_file_set_encryption(archive.get(), index, ZIP_EM_AES_256, passphrase.c_str()) !=
+                0) {
+            throw IoError(name + ": this computer's libzip cannot encrypt; save without a "
+                                 "passphrase.");
+        }
+    }
+    if (zip_close(archive.get()) != 0) {
+        throw fail();
+    }
+    archive.release();  // NOLINT: zip_close() has freed it
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    if (zip_source_stat(target, &stat) != 0 || zip_source_open(target) != 0) {
+        throw fail();
+    }
+    std::string result(stat.size, '\0');
+    const bool whole =
+        zip_source_read(target, result.data(), stat.size) == static_cast<zip_int64_t>(stat.size);
+    zip_source_close(target);
+    if (!whole) {
+        throw fail();
+    }
+    return result;
+}
+
+}  // namespace myoface
