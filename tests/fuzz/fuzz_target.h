@@ -13,26 +13,35 @@
 
 namespace myoface::fuzz {
 
+inline void require(bool truth) {
+    if (!truth) {
+        std::abort();
+    }
+}
+
+/// Runs what may refuse its input with one sentence, and nothing else.
+template <typename Action>
+void guarded(const Action& action) {
+    set_thread_count(1);
+    try {
+        action();
+    } catch (const Error& error) {
+        require(std::string_view(error.what()).find('\n') == std::string_view::npos);
+    }
+}
+
 /// Reads bytes as a file of that name: a scan whose every number and index is good, or one
 /// sentence.
 inline void read(std::string_view bytes, const char* name) {
-    set_thread_count(1);
-    try {
+    guarded([&] {
         const Scan scan = read_mesh_bytes(bytes, name);
-        const bool good = scan.mesh.vertices.allFinite() && scan.uv.allFinite() &&
-                          scan.colours.allFinite() && scan.mesh.triangles.minCoeff() >= 0 &&
-                          scan.mesh.triangles.maxCoeff() < scan.mesh.vertex_count();
-        if (!good) {
-            std::abort();
-        }
+        require(scan.mesh.vertices.allFinite() && scan.uv.allFinite() && scan.colours.allFinite() &&
+                scan.mesh.triangles.minCoeff() >= 0 &&
+                scan.mesh.triangles.maxCoeff() < scan.mesh.vertex_count());
         describe(scan);
         const std::string extension = std::string(name).substr(1);
         mesh_bytes("f" + extension, scan, scan.mesh.vertices);
-    } catch (const Error& error) {
-        if (std::string_view(error.what()).find('\n') != std::string_view::npos) {
-            std::abort();
-        }
-    }
+    });
 }
 
 }  // namespace myoface::fuzz

@@ -7,8 +7,32 @@
 #include "myoface/io/mesh_file.h"
 #include "myoface/io/text_file.h"
 
+#include "bad_files.h"
 #include "odd_files.h"
 #include "test_meshes.h"
+
+namespace {
+
+/// Cases, plans, landmarks and journals: good ones, and those that were ever found bad.
+void write_our_files(const std::filesystem::path& folder) {
+    using namespace myoface;
+    for (const char* kind : {"case", "plan", "landmarks", "journal"}) {
+        std::filesystem::create_directories(folder / kind);
+    }
+    write_file(folder / "case/good", test::good_case());
+    write_file(folder / "case/parts", test::good_case_parts());
+    write_file(folder / "plan/good", test::good_plan());
+    write_file(folder / "landmarks/good", test::good_landmarks());
+    write_file(folder / "journal/good", test::good_journal().substr(16));
+    for (const test::BadFile& file : test::bad_files()) {
+        const bool text = file.kind == test::BadKind::Plan;
+        if ((text || file.kind == test::BadKind::Landmarks) && file.bytes.size() < 5000) {
+            write_file(folder / (text ? "plan" : "landmarks") / file.name, file.bytes);
+        }
+    }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     using namespace myoface;
@@ -34,5 +58,6 @@ int main(int argc, char** argv) {
     scan.textures = {{"a.png", "x"}};
     scan.face_material.assign(static_cast<std::size_t>(scan.faces.count()), 0);
     write_file(folder / "interchange/grid", encode_scan(scan));
+    write_our_files(folder);
     return 0;
 }

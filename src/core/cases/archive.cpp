@@ -10,6 +10,8 @@ namespace myoface {
 namespace {
 
 constexpr zip_uint64_t kLargestPart = 2'000'000'000;
+constexpr zip_uint64_t kSmallPart = 16'000'000;
+constexpr zip_uint64_t kMostShrinking = 200;
 
 }  // namespace
 
@@ -69,8 +71,9 @@ std::string ZipReader::part(const std::string& part, bool needed) const {
         }
         return {};
     }
-    // A small archive must not unpack to more than a scan can be.
-    if (stat.size > kLargestPart || stat.size > 2000 * (stat.comp_size + 1000)) {
+    // A small archive must not unpack to more than a scan can be; no scan shrinks so far.
+    const bool bomb = stat.size > kSmallPart && stat.size / kMostShrinking > stat.comp_size;
+    if (stat.size > kLargestPart || bomb) {
         throw IoError(name_ + ": " + part + " is larger than a case can hold.");
     }
     const bool locked = encrypted(part);

@@ -11,6 +11,7 @@
 #include "myoface/io/text_file.h"
 
 #include "archive.h"
+#include "case_bytes.h"
 
 namespace myoface {
 namespace {
@@ -166,16 +167,8 @@ void describe_face(const OpenedFace& opened, json& manifest) {
     manifest["tissue_depth"] = thickness_name(opened.fit.tissue);
 }
 
-}  // namespace
-
-PassphraseNeeded::PassphraseNeeded(const std::string& file, bool given)
-    : IoError(file + (given ? ": is protected by another passphrase than this one."
-                            : ": is protected by a passphrase, which is needed to open it.")),
-      given_(given) {}
-
-OpenedFace read_case(const std::string& path, const OpenOptions& options,
-                     const Progress* progress) {
-    const ZipReader archive(path, path, options.passphrase);
+OpenedFace read_archive(const ZipReader& archive, const std::string& path,
+                        const OpenOptions& options, const Progress* progress) {
     const json manifest = read_manifest(archive, path);
     OpenedFace face;
     face.name = fs::path(path).filename().string();
@@ -217,6 +210,25 @@ OpenedFace read_case(const std::string& path, const OpenOptions& options,
     face.report = describe(*scan);
     face.scan = std::move(scan);
     return face;
+}
+
+}  // namespace
+
+PassphraseNeeded::PassphraseNeeded(const std::string& file, bool given)
+    : IoError(file + (given ? ": is protected by another passphrase than this one."
+                            : ": is protected by a passphrase, which is needed to open it.")),
+      given_(given) {}
+
+OpenedFace read_case(const std::string& path, const OpenOptions& options,
+                     const Progress* progress) {
+    return read_archive(ZipReader(fs::path(path), path, options.passphrase), path, options,
+                        progress);
+}
+
+OpenedFace read_case_bytes(std::string_view bytes, const std::string& name,
+                           const OpenOptions& options, const Progress* progress) {
+    return read_archive(ZipReader(ZipReader::Memory{bytes}, name, options.passphrase), name,
+                        options, progress);
 }
 
 void write_case(const std::filesystem::path& file, const OpenedFace& opened,
