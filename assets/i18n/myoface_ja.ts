@@ -741,6 +741,10 @@
         <translation>すべての筋を安静に(&amp;R)</translation>
     </message>
     <message>
+        <source>Apply plan…</source>
+        <translation>計画を適用…</translation>
+    </message>
+    <message>
         <source>Back to the scan: muscles at rest, shape as it came</source>
         <translation>元のスキャンに戻します：筋は安静、形は元のまま</translation>
     </message>
@@ -799,6 +803,10 @@
     <message>
         <source>Export p&amp;icture…</source>
         <translation>画像を書き出す(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Export plan…</source>
+        <translation>計画を書き出す…</translation>
     </message>
     <message>
         <source>Export turning pictures…</source>
@@ -941,6 +949,10 @@
         <translation>保護</translation>
     </message>
     <message>
+        <source>Protect the case…</source>
+        <translation>症例を保護…</translation>
+    </message>
+    <message>
         <source>Recover</source>
         <translation>復元</translation>
     </message>
@@ -1003,6 +1015,14 @@
     <message>
         <source>T&amp;urn slowly</source>
         <translation>ゆっくり回す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The case will be saved with the passphrase.</source>
+        <translation>症例はパスフレーズ付きで保存されます。</translation>
+    </message>
+    <message>
+        <source>The case will be saved without a passphrase.</source>
+        <translation>症例はパスフレーズなしで保存されます。</translation>
     </message>
     <message>
         <source>The colours of the scan, or plain skin that shows the shape</source>
@@ -1362,10 +1382,104 @@ norm %1 ± %2, z = %3
     </message>
 </context>
 <context>
+    <name>PassphraseWords</name>
+    <message>
+        <source>At least %1 letters.</source>
+        <translation>%1 文字以上にしてください。</translation>
+    </message>
+    <message>
+        <source>No passphrase any more</source>
+        <translation>パスフレーズを外す</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>もう一度</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>パスフレーズ</translation>
+    </message>
+    <message>
+        <source>Passphrase:</source>
+        <translation>パスフレーズ:</translation>
+    </message>
+    <message>
+        <source>Protect the case</source>
+        <translation>症例の保護</translation>
+    </message>
+    <message>
+        <source>Protected case</source>
+        <translation>保護された症例</translation>
+    </message>
+    <message>
+        <source>The case and what is kept for recovery are encrypted (AES-256) the next time they are written. Without the passphrase nobody can open them, not even you: keep it somewhere safe. Several words are better than a short riddle.</source>
+        <translation>症例と復旧用の記録は、次に書き込まれるときに暗号化(AES-256)されます。パスフレーズがなければ、あなた自身も含めて誰も開けません。安全な場所に控えてください。短い暗号めいた語より、いくつかの単語を並べる方が安全です。</translation>
+    </message>
+    <message>
+        <source>The two are not the same yet.</source>
+        <translation>二つがまだ一致していません。</translation>
+    </message>
+</context>
+<context>
     <name>PatientView</name>
     <message>
         <source>Myoface — patient</source>
         <translation>Myoface — 患者用</translation>
+    </message>
+</context>
+<context>
+    <name>PlanFiles</name>
+    <message>
+        <source>
+Edit %1 (%2) was left out: %3</source>
+        <translation>
+編集 %1(%2)は省かれました: %3</translation>
+    </message>
+    <message>
+        <source>
+Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
+        <translation>
+編集 %1 を確認してください: 当てはめと計測点で位置が %2 mm ずれています。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 edits of the plan were made.</source>
+        <translation>計画の編集 %2 件のうち %1 件を行いました。</translation>
+    </message>
+    <message>
+        <source>Apply a plan</source>
+        <translation>計画を適用</translation>
+    </message>
+    <message>
+        <source>Applying the plan…</source>
+        <translation>計画を適用しています…</translation>
+    </message>
+    <message>
+        <source>Export the plan</source>
+        <translation>計画を書き出す</translation>
+    </message>
+    <message>
+        <source>Nothing has been done to this face yet: there is no plan to write.</source>
+        <translation>この顔にはまだ何も行われていないので、書き出す計画がありません。</translation>
+    </message>
+    <message>
+        <source>Plan (*.json)</source>
+        <translation>計画 (*.json)</translation>
+    </message>
+    <message>
+        <source>Plans (*.json);;All files (*)</source>
+        <translation>計画 (*.json);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>They were carried over from another scan through the fit.</source>
+        <translation>別のスキャンから当てはめを通して移されました。</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>書き出しました：%1</translation>
+    </message>
+    <message>
+        <source>plan %1</source>
+        <translation>計画 %1</translation>
     </message>
 </context>
 <context>

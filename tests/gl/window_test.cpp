@@ -32,58 +32,13 @@
 #include "muscle_panel.h"
 #include "shape_panel.h"
 #include "test_meshes.h"
+#include "window_fixture.h"
 
 namespace myoface {
 namespace {
 
-constexpr int kPatience = 60000;  // [ms]
-
-/// A window with the small face opened from disk.
-class Window : public ::testing::Test {
-protected:
-    void SetUp() override {
-        path_ = QString::fromStdString((folder_ / "face.ply").string());
-        write_mesh(path_.toStdString(), test::small_face().scan,
-                   test::small_face().scan.mesh.vertices);
-        write_landmarks(folder_ / "face.landmarks.json", test::small_face().landmarks, {});
-        window_.resize(1200, 800);
-        window_.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
-    }
-    void TearDown() override { window_.close(); }
-    void open(const QString& path) {
-        QSignalSpy opened(&window_, &MainWindow::opened);
-        QSignalSpy failed(&window_, &MainWindow::openFailed);
-        window_.openPath(path);
-        ASSERT_TRUE(
-            QTest::qWaitFor([&] { return opened.count() + failed.count() > 0; }, kPatience));
-    }
-    bool settle() {
-        return QTest::qWaitFor([&] { return window_.settled(); }, kPatience);
-    }
-    QPoint pixel(const std::string& landmark) {
-        FaceView& view = window_.view();
-        const PixelPoint p =
-            project(view.camera(), test::small_face().landmarks.at(landmark).position, view.width(),
-                    view.height());
-        return {static_cast<int>(p.x), static_cast<int>(p.y)};
-    }
-    /// Press, move in steps, release: on the native window, so that drags are delivered.
-    void drag(const QPoint& from, const QPoint& by, Qt::MouseButton button = Qt::LeftButton) {
-        QWindow* native = window_.windowHandle();
-        const QPoint origin = window_.view().mapTo(&window_, from);
-        QTest::mousePress(native, button, {}, origin);
-        for (int k = 1; k <= 6; ++k) {
-            QTest::mouseMove(native, origin + by * k / 6);
-            QTest::qWait(40);
-        }
-        QTest::mouseRelease(native, button, {}, origin + by);
-    }
-
-    test::TemporaryFolder folder_;
-    QString path_;
-    MainWindow window_;
-};
+using test::kPatience;
+using test::Window;
 
 TEST_F(Window, OpensAFaceAndComesToRest) {
     open(path_);
