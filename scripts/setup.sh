@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Installs from Debian or Ubuntu what building and testing needs and is missing. Silent when nothing
-# is missing; needs root or sudo only when something is.
+# is missing; needs root or sudo only when something is. Names of more packages may follow.
 set -euo pipefail
 
 packages=(
@@ -11,6 +11,7 @@ packages=(
   nlohmann-json3-dev libcli11-dev libpng-dev libjpeg-dev libzip-dev libassimp-dev libnanoflann-dev
   libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev libbullet-dev
   python3 xvfb xauth libgl1-mesa-dri libegl1 fonts-dejavu-core fonts-ipafont-gothic clang-format
+  "$@"
 )
 
 missing=()

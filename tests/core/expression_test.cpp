@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "myoface/base/error.h"
-#include "myoface/sim/plan.h"
+#include "myoface/sim/plan_file.h"
 
 #include "test_meshes.h"
 

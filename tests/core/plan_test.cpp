@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "myoface/sim/plan.h"
+#include "myoface/sim/plan_file.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "myoface/measure/volume.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/mesh/normals.h"
-#include "myoface/sim/plan.h"
+#include "myoface/sim/plan_file.h"
 
 #include "test_meshes.h"
 
