@@ -41,9 +41,9 @@ void open(const test::BadFile& file, const test::TemporaryFolder& folder) {
 TEST(BadFiles, AreManyAndDifferent) {
     const auto files = test::bad_files();
     EXPECT_GE(files.size(), 150U);
-    std::set<std::string> different;
+    std::set<std::pair<test::BadKind, std::string>> different;
     for (const test::BadFile& file : files) {
-        different.insert(file.bytes);
+        different.emplace(file.kind, file.bytes);
     }
     EXPECT_EQ(different.size(), files.size());
 }

@@ -275,7 +275,7 @@ const Change kLandmarkChanges[] = {
     {"/landmarks/prn", R"({"x": 1, "y": 2, "z": 3})", "'prn' is not three numbers"},
     {"/landmarks/prn", R"({"xyz": "1 2 3"})", "'prn' is not three numbers"},
     {"/landmarks/prn", "[1e10, 0, 0]", "'prn' is not finite"},
-    {"/unit", "\"furlong\"", "furlong"},
+    {"/unit", "\"furlong\"", "unit is not one of"},
     {"/unit", "0", "unit"},
     {"/unit", "-3", "unit"},
     {"/unit", "[]", "unit"},
