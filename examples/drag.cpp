@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two hands on a face: one shapes the tip of the nose, one pulls at the cheek to feel what holds it.
+// Two hands on a face: one shapes the tip of the nose, one pulls at the cheek to feel what holds
+// it.
 //   drag FACE
 #include <cstdio>
 
@@ -18,10 +19,11 @@ int main(int argc, char** argv) {
                         parse_drag("at=zy_l; view=front; move=0,12; mode=constraint")};
         const PlanReport report = run_plan(*simulator, plan);
         for (const DragReport& drag : report.drags) {
-            std::printf("%s: %.2f mm beside the hand, %.1f N (skin %.1f, muscle %.1f, refused %.1f)\n",
-                        drag.mode == DragMode::MousePriority ? "shape" : "feel", drag.off_ray_mm,
-                        drag.force_mN / 1000.0, drag.stage_skin_mN / 1000.0,
-                        drag.stage_muscle_mN / 1000.0, drag.refused_mN / 1000.0);
+            std::printf(
+                "%s: %.2f mm beside the hand, %.1f N (skin %.1f, muscle %.1f, refused %.1f)\n",
+                drag.mode == DragMode::MousePriority ? "shape" : "feel", drag.off_ray_mm,
+                drag.force_mN / 1000.0, drag.stage_skin_mN / 1000.0, drag.stage_muscle_mN / 1000.0,
+                drag.refused_mN / 1000.0);
         }
         return report.drags.front().off_ray_mm < 0.1 ? 0 : 1;
     } catch (const Error& problem) {

@@ -23,8 +23,7 @@ namespace {
 
 /// The same edits with their places on another fit of the scan; what is lost there is left out.
 Plan placedOn(const FaceModel& model, const FaceModel& before, const Plan& edits) {
-    return edits.empty() ? Plan()
-                         : carried({plan_origin(before), edits}, model).edits;
+    return edits.empty() ? Plan() : carried({plan_origin(before), edits}, model).edits;
 }
 
 void appendEdits(Plan& plan, const QUndoCommand& step,
@@ -132,8 +131,8 @@ Plan FaceDocument::plan() const {
 }
 
 FaceEdits FaceDocument::edits() const {
-    return {m_model,     m_contractions, m_skinRest, m_protection,
-            m_landmarks, m_fit,          m_variants, m_notes.toStdString(), plan()};
+    return {m_model,    m_contractions,        m_skinRest, m_protection, m_landmarks, m_fit,
+            m_variants, m_notes.toStdString(), plan()};
 }
 
 void FaceDocument::setModel(std::shared_ptr<const FaceModel> model, const Points& skinRest) {

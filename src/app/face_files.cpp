@@ -171,11 +171,10 @@ std::string FaceFiles::thumbnail() const {
     if (view == nullptr || !view->isVisible()) {
         return m_document.opened()->thumbnail;
     }
-    QImage picture = view->grabFramebuffer().scaled(kThumbnail, kThumbnail,
-                                                    Qt::KeepAspectRatioByExpanding,
-                                                    Qt::SmoothTransformation);
-    picture = picture.copy((picture.width() - kThumbnail) / 2,
-                           (picture.height() - kThumbnail) / 2, kThumbnail, kThumbnail);
+    QImage picture = view->grabFramebuffer().scaled(
+        kThumbnail, kThumbnail, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    picture = picture.copy((picture.width() - kThumbnail) / 2, (picture.height() - kThumbnail) / 2,
+                           kThumbnail, kThumbnail);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);

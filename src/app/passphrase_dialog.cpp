@@ -50,20 +50,18 @@ std::optional<std::string> askNewPassphrase(QWidget* parent, bool hasOne) {
     auto* problem = new QLabel;
     layout->addRow(problem);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    QPushButton* none =
-        hasOne ? buttons->addButton(PassphraseWords::tr("No passphrase any more"),
-                                    QDialogButtonBox::DestructiveRole)
-               : nullptr;
+    QPushButton* none = hasOne ? buttons->addButton(PassphraseWords::tr("No passphrase any more"),
+                                                    QDialogButtonBox::DestructiveRole)
+                               : nullptr;
     layout->addRow(buttons);
     bool removed = false;
     const auto check = [=] {
         const bool longEnough = first->text().size() >= kShortest;
         const bool same = first->text() == second->text();
         problem->setText(first->text().isEmpty() ? QString()
-                         : !longEnough           ? PassphraseWords::tr("At least %1 letters.")
-                                             .arg(kShortest)
-                         : !same ? PassphraseWords::tr("The two are not the same yet.")
-                                 : QString());
+                         : !longEnough ? PassphraseWords::tr("At least %1 letters.").arg(kShortest)
+                         : !same       ? PassphraseWords::tr("The two are not the same yet.")
+                                       : QString());
         buttons->button(QDialogButtonBox::Ok)->setEnabled(longEnough && same);
     };
     QObject::connect(first, &QLineEdit::textChanged, &dialog, check);

@@ -18,9 +18,8 @@ namespace {
 
 /// What came of a plan, in the language of the interface.
 QString inSentences(const Replay& replay) {
-    QString text = PlanFiles::tr("%1 of %2 edits of the plan were made.")
-                       .arg(replay.done)
-                       .arg(replay.edits);
+    QString text =
+        PlanFiles::tr("%1 of %2 edits of the plan were made.").arg(replay.done).arg(replay.edits);
     if (replay.face == CarriedPlan::Face::Other) {
         text += QLatin1Char(' ') +
                 PlanFiles::tr("They were carried over from another scan through the fit.");
@@ -57,8 +56,8 @@ void PlanFiles::chooseExport() {
 
 bool PlanFiles::exportTo(const QString& path) {
     try {
-        write_file(path.toStdString(), recorded_plan_to_json({plan_origin(*m_document.model()),
-                                                              m_document.plan()}));
+        write_file(path.toStdString(),
+                   recorded_plan_to_json({plan_origin(*m_document.model()), m_document.plan()}));
     } catch (const Error& error) {
         Q_EMIT problem(QString::fromUtf8(error.what()));
         return false;
@@ -110,11 +109,10 @@ void PlanFiles::finished(const PlanOutcome& outcome) {
                                                             all, outcome.strengths, -1, QString()));
         parts.push_back(
             std::make_unique<SetProtectionCommand>(m_document, outcome.protection, QString()));
-        parts.push_back(std::make_unique<ReshapeCommand>(m_document, outcome.before, outcome.after,
-                                                         QString()));
+        parts.push_back(
+            std::make_unique<ReshapeCommand>(m_document, outcome.before, outcome.after, QString()));
         m_document.undoStack()->push(new PlanCommand(tr("plan %1").arg(m_title),
-                                                     outcome.replay.made, model,
-                                                     std::move(parts)));
+                                                     outcome.replay.made, model, std::move(parts)));
     }
     const QString sentences = inSentences(outcome.replay);
     const bool smooth =

@@ -110,9 +110,9 @@ void SimulationWorker::record(const DragRequest& request, const ViewRay& ray) {
     m_gesture.path = request.path;
     m_gesture.keep = request.mode == DragMode::ConstraintPriority;
     m_gesture.place = plan_place(face, request.where);
-    m_start = position({m_simulator->state().positions.leftCols(face.node_count()),
-                        face.skin.mesh.triangles},
-                       request.where);
+    m_start = position(
+        {m_simulator->state().positions.leftCols(face.node_count()), face.skin.mesh.triangles},
+        request.where);
     m_ray = ray;
 }
 

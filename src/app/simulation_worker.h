@@ -88,9 +88,9 @@ private:
     ResponseForm m_response = ResponseForm::Smooth;
     int m_sinceChange = 0;  ///< frames
     std::uint64_t m_frame = 0;
-    DragEdit m_gesture;            ///< that goes on, for plans
-    Vec3 m_start = Vec3::Zero();   ///< of its grip [mm]
-    ViewRay m_ray;                 ///< where the hand is
+    DragEdit m_gesture;           ///< that goes on, for plans
+    Vec3 m_start = Vec3::Zero();  ///< of its grip [mm]
+    ViewRay m_ray;                ///< where the hand is
 };
 
 }  // namespace myoface

@@ -118,7 +118,8 @@ void render(const Arguments& a) {
     OpenedFace opened = a.face.open();
     const bool inner = layers.muscles > 0.0F || layers.bone > 0.0F || layers.springs > 0.0F;
     std::unique_ptr<Simulator> simulator;
-    if (inner || !plan.edits.empty() || !opened.state.rates.empty() || opened.state.shape.cols() > 0) {
+    if (inner || !plan.edits.empty() || !opened.state.rates.empty() ||
+        opened.state.shape.cols() > 0) {
         find_missing_landmarks(opened);
         simulator = make_simulator(opened);
         run_plan(*simulator, plan_on(simulator->face(), plan));

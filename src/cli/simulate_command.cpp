@@ -72,8 +72,7 @@ void add_simulate(CLI::App& app) {
         write_face(a->output, *opened.scan, simulator->face(), simulator->state().positions,
                    jaw_opening(simulator->face(), simulator->contractions()));
         if (!a->report.empty()) {
-            write_text(a->report,
-                       simulation_report(*simulator, report).dump(1) + "\n");
+            write_text(a->report, simulation_report(*simulator, report).dump(1) + "\n");
         }
     });
 }

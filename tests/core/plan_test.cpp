@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "myoface/sim/plan_file.h"
-
 #include <gtest/gtest.h>
 
 #include "myoface/base/error.h"
+#include "myoface/sim/plan_file.h"
 
 #include "test_meshes.h"
 

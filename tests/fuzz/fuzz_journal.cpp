@@ -3,10 +3,11 @@
 #include <filesystem>
 #include <unistd.h>
 
-#include "bad_files.h"
-#include "fuzz_target.h"
 #include "myoface/cases/journal.h"
 #include "myoface/io/text_file.h"
+
+#include "bad_files.h"
+#include "fuzz_target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace myoface;

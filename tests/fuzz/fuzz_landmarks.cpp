@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fuzz_target.h"
 #include "myoface/face/landmarks.h"
+
+#include "fuzz_target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace myoface;

@@ -18,8 +18,8 @@ using test::kPatience;
 class PlanWindow : public test::Window {
 protected:
     bool done(int steps) {
-        return QTest::qWaitFor(
-                   [&] { return window_.document().undoStack()->index() == steps; }, kPatience) &&
+        return QTest::qWaitFor([&] { return window_.document().undoStack()->index() == steps; },
+                               kPatience) &&
                settle();
     }
     QString file(const char* name) { return QString::fromStdString((folder_ / name).string()); }
@@ -49,10 +49,8 @@ TEST_F(PlanWindow, WritesItsHistoryAndRepeatsItOnAnotherFace) {
     EXPECT_TRUE(window_.document().plan().empty());
     window_.plans().apply(plan);
     ASSERT_TRUE(done(1));
-    const double largest = (shaped - window_.document().model()->skin.mesh.vertices)
-                               .colwise()
-                               .norm()
-                               .maxCoeff();
+    const double largest =
+        (shaped - window_.document().model()->skin.mesh.vertices).colwise().norm().maxCoeff();
     const double off = (window_.document().skinRest() - shaped).colwise().norm().maxCoeff();
     EXPECT_GT(largest, 2.0);
     EXPECT_LT(off, 0.05 * largest);  // frames of a live hand against one pull to rest

@@ -19,8 +19,7 @@ class Window : public ::testing::Test {
 protected:
     void SetUp() override {
         path_ = QString::fromStdString((folder_ / "face.ply").string());
-        write_mesh(path_.toStdString(), small_face().scan,
-                   small_face().scan.mesh.vertices);
+        write_mesh(path_.toStdString(), small_face().scan, small_face().scan.mesh.vertices);
         write_landmarks(folder_ / "face.landmarks.json", small_face().landmarks, {});
         window_.resize(1200, 800);
         window_.show();
@@ -39,9 +38,8 @@ protected:
     }
     QPoint pixel(const std::string& landmark) {
         FaceView& view = window_.view();
-        const PixelPoint p =
-            project(view.camera(), small_face().landmarks.at(landmark).position, view.width(),
-                    view.height());
+        const PixelPoint p = project(view.camera(), small_face().landmarks.at(landmark).position,
+                                     view.width(), view.height());
         return {static_cast<int>(p.x), static_cast<int>(p.y)};
     }
     /// Press, move in steps, release: on the native window, so that drags are delivered.

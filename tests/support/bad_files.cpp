@@ -352,15 +352,14 @@ void add_texts(std::vector<BadFile>& files) {
                          changed(kLandmarks, change.at, value_of(change)), change.says});
     }
     const std::string huge = R"({"plan": [{"muscle": "risorius", "rate": 1e999}]})";
-    for (const auto& [text, says] :
-         {std::pair<std::string, std::string>("", "not JSON"),
-          {"{", "not JSON"},
-          {"[]", "a list \"plan\" is needed"},
-          {std::string(100'000, '['), "not JSON"},
-          {huge, "not JSON"},
-          {"\xff\xfe{\"plan\": []}", "not JSON"}}) {
-        files.push_back({BadKind::Plan, "text-" + std::to_string(files.size()) + ".json", text,
-                         says});
+    for (const auto& [text, says] : {std::pair<std::string, std::string>("", "not JSON"),
+                                     {"{", "not JSON"},
+                                     {"[]", "a list \"plan\" is needed"},
+                                     {std::string(100'000, '['), "not JSON"},
+                                     {huge, "not JSON"},
+                                     {"\xff\xfe{\"plan\": []}", "not JSON"}}) {
+        files.push_back(
+            {BadKind::Plan, "text-" + std::to_string(files.size()) + ".json", text, says});
     }
     for (const char* text : {"", "[]", "{", "null", "\"prn\""}) {
         files.push_back({BadKind::Landmarks, "text-" + std::to_string(files.size()) + ".json", text,
@@ -371,8 +370,7 @@ void add_texts(std::vector<BadFile>& files) {
 void add_journals(std::vector<BadFile>& files) {
     const std::string whole = good_journal();
     const auto add = [&](const std::string& bytes, const std::string& says) {
-        files.push_back(
-            {BadKind::Journal, "journal-" + std::to_string(files.size()), bytes, says});
+        files.push_back({BadKind::Journal, "journal-" + std::to_string(files.size()), bytes, says});
     };
     add("", "is no journal");
     add("MYOJRNL2" + whole.substr(8), "is no journal");

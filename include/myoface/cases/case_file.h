@@ -88,7 +88,8 @@ OpenedFace read_case(const std::string& path, const OpenOptions& options = {},
 
 /// Writes a case: a zip with manifest.json (schema 2), the scan byte for byte, its textures and the
 /// parts of the state; see docs/dev/case-format.md. The file appears whole or not at all, also when
-/// power fails meanwhile. May be called from any thread, as long as nobody changes what it is given.
+/// power fails meanwhile. May be called from any thread, as long as nobody changes what it is
+/// given.
 /// @throws IoError
 void write_case(const std::filesystem::path& file, const OpenedFace& opened,
                 const CaseState& state);

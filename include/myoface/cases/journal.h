@@ -39,9 +39,9 @@ private:
 /// A face that a program left behind.
 struct Recovery {
     std::filesystem::path folder;
-    std::string name;   ///< of the face
-    int gestures = 0;   ///< recorded
-    std::string saved;  ///< when the last one was, local time
+    std::string name;     ///< of the face
+    int gestures = 0;     ///< recorded
+    std::string saved;    ///< when the last one was, local time
     bool locked = false;  ///< needs the passphrase of the face
 };
 

@@ -12,9 +12,9 @@ namespace myoface {
 
 /// The face that a plan was recorded on.
 struct PlanOrigin {
-    std::uint64_t scan = 0;         ///< of the scan's vertices in our frame
-    std::uint64_t skin = 0;         ///< of the simulated skin: the same bits, the same fit
-    Mat3 axes = Mat3::Identity();   ///< FaceModel::axes
+    std::uint64_t scan = 0;                 ///< of the scan's vertices in our frame
+    std::uint64_t skin = 0;                 ///< of the simulated skin: the same bits, the same fit
+    Mat3 axes = Mat3::Identity();           ///< FaceModel::axes
     std::map<std::string, Vec3> landmarks;  ///< [mm]
 };
 PlanOrigin plan_origin(const FaceModel& face);
@@ -43,12 +43,12 @@ PlanPlace plan_place(const FaceModel& face, const SurfacePoint& where);
 /// A recorded plan on a face.
 struct CarriedPlan {
     enum class Face { Unknown, Same, SameScan, Other };
-    Face face = Face::Unknown;          ///< what it is to the one the plan was recorded on
-    Plan edits;                         ///< those that could be carried over
-    std::vector<int> number;            ///< per edit: which of the plan's it is, from 1
-    std::vector<RefusedEdit> refused;   ///< those that could not
-    double largest_doubt_mm = 0.0;      ///< between the places by the fit and by landmarks
-    int most_doubtful = 0;              ///< that edit, from 1
+    Face face = Face::Unknown;         ///< what it is to the one the plan was recorded on
+    Plan edits;                        ///< those that could be carried over
+    std::vector<int> number;           ///< per edit: which of the plan's it is, from 1
+    std::vector<RefusedEdit> refused;  ///< those that could not
+    double largest_doubt_mm = 0.0;     ///< between the places by the fit and by landmarks
+    int most_doubtful = 0;             ///< that edit, from 1
 };
 /// From so much on a place that was carried over is to be looked at [mm].
 inline constexpr double kDoubtfulPlace = 8.0;

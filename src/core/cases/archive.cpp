@@ -30,7 +30,8 @@ ZipReader::ZipReader(Memory memory, std::string name, std::string passphrase)
     : name_(std::move(name)), passphrase_(std::move(passphrase)) {
     zip_error_t error;
     zip_error_init(&error);
-    zip_source_t* source = zip_source_buffer_create(memory.bytes.data(), memory.bytes.size(), 0, &error);
+    zip_source_t* source =
+        zip_source_buffer_create(memory.bytes.data(), memory.bytes.size(), 0, &error);
     if (source != nullptr) {
         handle_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
         if (!handle_) {
@@ -58,8 +59,7 @@ bool ZipReader::encrypted(const std::string& part) const {
     zip_stat_t stat;
     zip_stat_init(&stat);
     return zip_stat(handle_.get(), part.c_str(), 0, &stat) == 0 &&
-           (stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 &&
-           stat.encryption_method != ZIP_EM_NONE;
+           (stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 && stat.encryption_method != ZIP_EM_NONE;
 }
 
 std::string ZipReader::part(const std::string& part, bool needed) const {
@@ -89,8 +89,7 @@ std::string ZipReader::part(const std::string& part, bool needed) const {
         throw IoError(name_ + ": " + part + " cannot be unpacked, the case is damaged.");
     }
     std::string bytes(stat.size, '\0');
-    bool good =
-        zip_fread(file, bytes.data(), stat.size) == static_cast<zip_int64_t>(stat.size);
+    bool good = zip_fread(file, bytes.data(), stat.size) == static_cast<zip_int64_t>(stat.size);
     char more = 0;
     good = good && zip_fread(file, &more, 1) == 0;  // at the end, sums are checked
     zip_fclose(file);
@@ -120,10 +119,9 @@ std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& pass
         constexpr std::size_t kLarge = 1 << 20;
         zip_source_t* source =
             zip_source_buffer(archive.get(), part.bytes.data(), part.bytes.size(), 0);
-        const zip_int64_t added =
-            source == nullptr
-                ? -1
-                : zip_file_add(archive.get(), part.name.c_str(), source, ZIP_FL_OVERWRITE);
+        const zip_int64_t added = source == nullptr ? -1
+                                                    : zip_file_add(archive.get(), part.name.c_str(),
+                                                                   source, ZIP_FL_OVERWRITE);
         if (added < 0) {
             zip_source_free(source);
             throw fail();
@@ -132,11 +130,11 @@ std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& pass
         // Time counts more than the last tenth of size.
         zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE,
                                  part.bytes.size() > kLarge ? 1 : 6);
-        if (!passphrase.empty() &&
-            zip_file_set_encryption(archive.get(), index, ZIP_EM_AES_256, passphrase.c_str()) !=
-                0) {
-            throw IoError(name + ": this computer's libzip cannot encrypt; save without a "
-                                 "passphrase.");
+        if (!passphrase.empty() && zip_file_set_encryption(archive.get(), index, ZIP_EM_AES_256,
+                                                           passphrase.c_str()) != 0) {
+            throw IoError(name +
+                          ": this computer's libzip cannot encrypt; save without a "
+                          "passphrase.");
         }
     }
     if (zip_close(archive.get()) != 0) {

@@ -130,8 +130,8 @@ FileFrame frame_of(const json& manifest, const std::string& path) {
     } catch (const json::exception&) {
         throw IoError(path + ": its unit or axes are damaged.");
     }
-    const bool turn = (frame.axes * frame.axes.transpose()).isIdentity(1e-9) &&
-                      frame.axes.determinant() > 0.0;
+    const bool turn =
+        (frame.axes * frame.axes.transpose()).isIdentity(1e-9) && frame.axes.determinant() > 0.0;
     if (!(frame.mm_per_unit > 1e-6 && frame.mm_per_unit < 1e6) || !turn) {
         throw IoError(path + ": its unit or axes are damaged.");
     }
@@ -149,8 +149,7 @@ void describe_face(const OpenedFace& opened, json& manifest) {
     manifest["materials"] = materials_to_json(*opened.scan);
     manifest["textures"] = json::array();
     for (std::size_t t = 0; t < opened.scan->textures.size(); ++t) {
-        manifest["textures"].push_back(
-            plain_name(texture_part(t), opened.scan->textures[t].name));
+        manifest["textures"].push_back(plain_name(texture_part(t), opened.scan->textures[t].name));
     }
     manifest["mm_per_unit"] = opened.scan->frame.mm_per_unit;
     manifest["axes"] = json::array();

@@ -236,7 +236,8 @@ OpenedFace recover(const Recovery& recovery, const Progress* progress,
     const std::string name = file.string();
     Record record = read_record(file);
     if (const auto sealed = record.parts.find(kSealed); sealed != record.parts.end()) {
-        const std::string opened = ZipReader(ZipReader::Memory{sealed->second}, name, passphrase).part(kSealed, true);
+        const std::string opened =
+            ZipReader(ZipReader::Memory{sealed->second}, name, passphrase).part(kSealed, true);
         record = record_of(opened, name);
     }
     OpenOptions options;

@@ -43,8 +43,7 @@ Vec3 grabbed_place(const FaceModel& face, const std::string& at) {
 SurfacePoint place_on_skin(const FaceModel& face, const std::string& at,
                            const std::optional<PlanPlace>& place) {
     if (place) {
-        if (place->where.triangle < 0 ||
-            place->where.triangle >= face.skin.mesh.triangle_count()) {
+        if (place->where.triangle < 0 || place->where.triangle >= face.skin.mesh.triangle_count()) {
             throw InvalidInput("Its place is on a triangle that this face does not have.");
         }
         return place->where;
@@ -62,8 +61,7 @@ SurfacePoint place_on_skin(const FaceModel& face, const std::string& at,
 /// Makes one edit after the other.
 class PlanRunner {
 public:
-    PlanRunner(Simulator& simulator, PlanReport& report)
-        : simulator_(simulator), report_(report) {}
+    PlanRunner(Simulator& simulator, PlanReport& report) : simulator_(simulator), report_(report) {}
 
     void run(const Edit& edit, bool last) {
         last_ = last;
@@ -215,7 +213,9 @@ std::string edit_title(const Edit& edit) {
     struct Titles {
         std::string operator()(const ContractionEdit& e) const { return "muscle " + e.muscle; }
         std::string operator()(const StrengthEdit& e) const { return "strength of " + e.muscle; }
-        std::string operator()(const ExpressionEdit& e) const { return "expression " + e.expression; }
+        std::string operator()(const ExpressionEdit& e) const {
+            return "expression " + e.expression;
+        }
         std::string operator()(const DragEdit&) const { return "drag"; }
         std::string operator()(const VolumeEdit&) const { return "volume"; }
         std::string operator()(const TargetEdit& e) const { return "target " + e.measure; }

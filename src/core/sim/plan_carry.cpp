@@ -26,8 +26,8 @@ class Sum {
 public:
     template <typename Matrix>
     void add(const Matrix& matrix) {
-        using Word = std::conditional_t<sizeof(typename Matrix::Scalar) == 8, std::uint64_t,
-                                        std::uint32_t>;
+        using Word =
+            std::conditional_t<sizeof(typename Matrix::Scalar) == 8, std::uint64_t, std::uint32_t>;
         for (Eigen::Index k = 0; k < matrix.size(); ++k) {
             Word word = 0;
             std::memcpy(&word, matrix.data() + k, sizeof word);

@@ -101,8 +101,7 @@ private:
 
     Vec3 vector(const ordered_json& object, const char* key) const {
         Vec3 v = Vec3::Zero();
-        const bool list =
-            object.contains(key) && object[key].is_array() && object[key].size() == 3;
+        const bool list = object.contains(key) && object[key].is_array() && object[key].size() == 3;
         for (std::size_t k = 0; k < 3; ++k) {
             const double value =
                 list && object[key][k].is_number() ? object[key][k].get<double>() : kFarthest;
@@ -254,12 +253,8 @@ struct EditWriter {
     ordered_json operator()(const ProtectEdit& e) const {
         return placed("protect", protect_to_text(e), e.place);
     }
-    ordered_json operator()(const TargetEdit& e) const {
-        return {{"target", target_to_text(e)}};
-    }
-    ordered_json operator()(const ShapeEdit& e) const {
-        return {{"shape", shape_to_json(e)}};
-    }
+    ordered_json operator()(const TargetEdit& e) const { return {{"target", target_to_text(e)}}; }
+    ordered_json operator()(const ShapeEdit& e) const { return {{"shape", shape_to_json(e)}}; }
 
 private:
     static ordered_json placed(const char* key, const std::string& text,
