@@ -48,14 +48,34 @@ montage "$work"/act-*.png -tile 5x1 -geometry +2+2 "$work/acts.png"
 convert "$work/acts.png" -resize 1500x -quality 90 $out/actions.jpg
 
 presets="joy sadness surprise fear anger disgust contempt gentle_smile full_smile brow_raise frown eyes_closed \
-  eyes_tight snarl pucker show_teeth jaw_open"
+  eyes_tight snarl pucker show_teeth jaw_open vowel_a vowel_e vowel_i vowel_o vowel_u"
+# A contact sheet: contact NAME FACE [options]
+contact() {
+  local name=$1 of=$2 shown=()
+  shift 2
+  for preset in $presets; do
+    draw "$of" --size 300x350 --expression "$preset=1" "$@" -o "$work/$name-$preset.png"
+    shown+=("$work/$name-$preset.png")
+  done
+  montage "${shown[@]}" -tile 6x4 -geometry +2+2 "$work/$name.png"
+  convert "$work/$name.png" -resize 1500x -quality 88 "$out/$name.jpg"
+}
+contact expressions "$face" --skin-age 25
+contact expressions-man "$work/m50.obj" --skin-age 50
+
+# What shortened skin does, by age.
 shown=()
-for preset in $presets; do
-  draw "$face" --size 300x350 --expression "$preset=1" -o "$work/preset-$preset.png"
-  shown+=("$work/preset-$preset.png")
+"$bin/myoface-cli" generate --sex f --age 25 --vertices 70000 -o "$work/fine.obj" --landmarks-out "$work/fine.landmarks.json"
+for age in 25 45 70; do
+  for what in brow_raise:g:96 frown:g:84 eyes_tight:ex_l:66 full_smile:sn:106; do
+    IFS=: read -r preset where span <<<"$what"
+    draw "$work/fine.obj" --size 420x380 --skin-age $age --expression "$preset=1" --focus "$where" --span "$span" \
+      -o "$work/wrinkle-$age-$preset.png"
+    shown+=("$work/wrinkle-$age-$preset.png")
+  done
 done
-montage "${shown[@]}" -tile 6x3 -geometry +2+2 "$work/presets.png"
-convert "$work/presets.png" -resize 1500x -quality 90 $out/expressions.jpg
+montage "${shown[@]}" -tile 4x3 -geometry +2+2 "$work/wrinkles.png"
+convert "$work/wrinkles.png" -resize 1500x -quality 90 $out/wrinkles.jpg
 
 "$bin/myoface-cli" generate --seed 12 --sex m --age 41 --vertices 14000 --asymmetry 1.2 -o "$work/person.ply"
 xvfb-run -a -s '-screen 0 1600x1000x24' "$bin/myoface" "$work/person.ply" --landmarks-panel --screenshot $out/landmarks.png
@@ -72,6 +92,7 @@ scan=$1
 xvfb-run -a -s '-screen 0 1600x1000x24' "$bin/myoface" "$scan" --muscle zygomaticus_major=0.8 \
   --layers skin,muscle,bone --view three-quarter-left --step expression --size 1440x900 --screenshot $out/window-scan.png
 window "$scan" --size 1280x760 --expression full_smile=0.9 --step compare --compare wipe --screenshot $out/window-compare.png
+contact expressions-scan "$scan"
 scripts/window_walk.sh "$work/walk" "$scan"
 convert "$work/walk/4-drag.png" -resize 1200x $out/window-shape.png
 montage "$work"/walk/{2-scan,3-fit,5-shaped,6-expression,7-wipe,10-report}.png -tile 3x2 -geometry 640x400+3+3 "$work/walk.png"

@@ -224,6 +224,10 @@
         <translation>案の名前を変更</translation>
     </message>
     <message>
+        <source>untreated</source>
+        <translation>治療前の強さ</translation>
+    </message>
+    <message>
         <source>variant %1</source>
         <translation>案 %1</translation>
     </message>
@@ -1095,6 +1099,10 @@ Their true distance in mm (the iris is about 11.7 mm wide):</source>
         <translation>筋の働き</translation>
     </message>
     <message>
+        <source>age of the skin</source>
+        <translation>皮膚の年齢</translation>
+    </message>
+    <message>
         <source>at rest</source>
         <translation>安静</translation>
     </message>
@@ -1269,12 +1277,36 @@ norm %1 ± %2, z = %3
         <translation>筋力 %1 %</translation>
     </message>
     <message>
+        <source>%1 years</source>
+        <translation>%1 歳</translation>
+    </message>
+    <message>
         <source>%1, left</source>
         <translation>%1（左）</translation>
     </message>
     <message>
         <source>%1, right</source>
         <translation>%1（右）</translation>
+    </message>
+    <message>
+        <source>A preset adds to what the muscles do, instead of taking its place</source>
+        <translation>プリセットを現在の筋の動きに加えます（置き換えません）</translation>
+    </message>
+    <message>
+        <source>A preset is reached by and by, within 0.4 seconds</source>
+        <translation>0.4 秒かけてプリセットに移ります</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>加える</translation>
+    </message>
+    <message>
+        <source>Age of the skin</source>
+        <translation>皮膚の年齢</translation>
+    </message>
+    <message>
+        <source>Age of the skin: how deep expressions wrinkle it</source>
+        <translation>皮膚の年齢：表情じわの深さ</translation>
     </message>
     <message>
         <source>All at rest</source>
@@ -1291,6 +1323,10 @@ norm %1 ± %2, z = %3
     <message>
         <source>Balance of the sides: to the left, the patient's right side does more; to the right, the left side</source>
         <translation>左右のつり合い：左へ動かすと患者の右側が、右へ動かすと左側が強く働きます</translation>
+    </message>
+    <message>
+        <source>Beside untreated</source>
+        <translation>治療前と並べる</translation>
     </message>
     <message>
         <source>Both sides together</source>
@@ -1325,12 +1361,28 @@ norm %1 ± %2, z = %3
         <translation>額と眉</translation>
     </message>
     <message>
+        <source>Glide</source>
+        <translation>なめらかに</translation>
+    </message>
+    <message>
         <source>Intensity of the expression</source>
         <translation>表情の強さ</translation>
     </message>
     <message>
+        <source>Intensity of the expression: A a trace … E the most</source>
+        <translation>表情の強さ：A わずか … E 最大</translation>
+    </message>
+    <message>
         <source>Jaw and chewing</source>
         <translation>顎と咀嚼</translation>
+    </message>
+    <message>
+        <source>Keep a preset</source>
+        <translation>プリセットを保存</translation>
+    </message>
+    <message>
+        <source>Keeps what the sliders show as a preset of your own</source>
+        <translation>スライダーの状態を自分のプリセットとして保存します</translation>
     </message>
     <message>
         <source>Mouth and cheek</source>
@@ -1341,6 +1393,10 @@ norm %1 ± %2, z = %3
         <translation>毒素や麻痺で弱った筋：どの表情でも働きが小さくなります</translation>
     </message>
     <message>
+        <source>Name of the preset:</source>
+        <translation>プリセットの名前：</translation>
+    </message>
+    <message>
         <source>Neck</source>
         <translation>首</translation>
     </message>
@@ -1349,8 +1405,24 @@ norm %1 ± %2, z = %3
         <translation>鼻</translation>
     </message>
     <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Removes this preset of your own</source>
+        <translation>この自分のプリセットを削除します</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
         <source>Sets every muscle back to rest</source>
         <translation>すべての筋を安静に戻します</translation>
+    </message>
+    <message>
+        <source>Shows the same expression with all muscles at full strength beside this one</source>
+        <translation>すべての筋が本来の強さの場合の同じ表情を並べて示します</translation>
     </message>
     <message>
         <source>Side</source>
@@ -1367,6 +1439,10 @@ norm %1 ± %2, z = %3
     <message>
         <source>Weak muscles</source>
         <translation>弱い筋</translation>
+    </message>
+    <message>
+        <source>Wrinkles</source>
+        <translation>しわ</translation>
     </message>
     <message>
         <source>both sides</source>
@@ -1653,6 +1729,10 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
     <message>
         <source>standard view</source>
         <translation>標準の向き</translation>
+    </message>
+    <message>
+        <source>years of the skin that wrinkles, 18 to 80</source>
+        <translation>しわの元になる皮膚の年齢（18〜80 歳）</translation>
     </message>
 </context>
 <context>
@@ -2318,6 +2398,10 @@ nothing worth mentioning</source>
         <translation>喜び</translation>
     </message>
     <message>
+        <source>Lateral pterygoid</source>
+        <translation>外側翼突筋</translation>
+    </message>
+    <message>
         <source>Levator anguli oris</source>
         <translation>口角挙筋</translation>
     </message>
@@ -2520,6 +2604,26 @@ nothing worth mentioning</source>
     <message>
         <source>Toxin: mouth corner depressor</source>
         <translation>毒素：口角下制筋</translation>
+    </message>
+    <message>
+        <source>Vowel a</source>
+        <translation>母音「あ」</translation>
+    </message>
+    <message>
+        <source>Vowel e</source>
+        <translation>母音「え」</translation>
+    </message>
+    <message>
+        <source>Vowel i</source>
+        <translation>母音「い」</translation>
+    </message>
+    <message>
+        <source>Vowel o</source>
+        <translation>母音「お」</translation>
+    </message>
+    <message>
+        <source>Vowel u</source>
+        <translation>母音「う」</translation>
     </message>
     <message>
         <source>Where the closed lips meet in the midline; with open lips, halfway between them.</source>

@@ -119,6 +119,16 @@ void PlanCommand::redo() {
     }
 }
 
+bool SetSkinAgeCommand::mergeWith(const QUndoCommand* other) {
+    const auto* next = static_cast<const SetSkinAgeCommand*>(other);  // same id()
+    if (next->m_gesture != m_gesture) {
+        return false;
+    }
+    m_after = next->m_after;
+    setObsolete(m_after == m_before);
+    return true;
+}
+
 void pushVariant(FaceDocument& document, const Variant& variant, const QString& text) {
     const FaceModel& face = *document.model();
     const Contractions wanted = contractions_of(face, variant.rates, variant.strengths);

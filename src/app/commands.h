@@ -120,6 +120,27 @@ private:
     std::vector<std::unique_ptr<QUndoCommand>> m_parts;
 };
 
+/// Another age of the skin that wrinkles. One gesture of the slider is one step.
+class SetSkinAgeCommand final : public QUndoCommand {
+public:
+    SetSkinAgeCommand(FaceDocument& document, double years, int gesture, const QString& text)
+        : QUndoCommand(text),
+          m_document(document),
+          m_before(document.skinAge()),
+          m_after(years),
+          m_gesture(gesture) {}
+
+    void undo() override { m_document.setSkinAge(m_before); }
+    void redo() override { m_document.setSkinAge(m_after); }
+    int id() const override { return 3; }
+    bool mergeWith(const QUndoCommand* other) override;
+
+private:
+    FaceDocument& m_document;
+    double m_before, m_after;
+    int m_gesture;
+};
+
 /// Another list of variants.
 class SetVariantsCommand final : public QUndoCommand {
 public:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -19,6 +20,21 @@ namespace {
 
 constexpr int kLegendSteps = 60;
 const Eigen::Vector3f kGhost(0.45F, 0.72F, 0.95F);
+
+/// Wrinkles on the way from one moment to another; both maps are of the same face.
+Wrinkles between(const Wrinkles& from, const Wrinkles& to, double share) {
+    Wrinkles result = to.map ? to : from;
+    const Eigen::Index n =
+        result.map ? static_cast<Eigen::Index>(result.map->gauges.size()) : Eigen::Index(0);
+    result.depth = Eigen::VectorXd::Zero(n);
+    if (from.depth.size() == n) {
+        result.depth += (1.0 - share) * from.depth;
+    }
+    if (to.depth.size() == n) {
+        result.depth += share * to.depth;
+    }
+    return result;
+}
 
 }  // namespace
 
@@ -63,6 +79,16 @@ Comparison::Comparison(FaceDocument& document, FaceView& view, ComparePanel& pan
     connect(&document, &FaceDocument::variantsChanged, this,
             [this] { m_panel.setVariants(m_document.variants()); });
     connect(&view, &FaceView::wipeMoved, this, [this] { Q_EMIT changed(); });
+    m_followsSliders.setSingleShot(true);
+    m_followsSliders.setInterval(150);
+    connect(&m_followsSliders, &QTimer::timeout, this, &Comparison::settleUntreated);
+    for (const auto edited : {&FaceDocument::rateChanged, &FaceDocument::strengthChanged}) {
+        connect(&document, edited, this, [this] {
+            if (m_untreated) {
+                m_followsSliders.start();
+            }
+        });
+    }
 }
 
 Comparison::~Comparison() = default;
@@ -71,11 +97,15 @@ void Comparison::setScene(FaceScene* scene) {
     m_scene = scene;
     m_now.reset();
     m_before.reset();
-    m_beforeJaw = 0.0;
+    m_beforeJaw = {};
+    m_beforeWrinkles = {};
     m_settling.reset();
     m_comparing.reset();
     m_actual.reset();
     m_stale = true;
+    if (std::exchange(m_untreated, false)) {
+        Q_EMIT untreatedChanged(false);
+    }
     m_panel.setActualWords({});
     m_panel.setEnabled(scene != nullptr && m_document.model() != nullptr);
     m_panel.setVariants(m_document.variants());
@@ -101,7 +131,8 @@ SimSnapshot Comparison::shown(const SimSnapshot& now) const {
         const Eigen::Index n = m_document.model()->node_count();
         result.positions.leftCols(n) =
             from.leftCols(n) + share * (now.positions.leftCols(n) - from.leftCols(n));
-        result.jaw = m_beforeJaw + share * (now.jaw - m_beforeJaw);
+        result.jaw = between(m_beforeJaw, now.jaw, share);
+        result.wrinkles = between(m_beforeWrinkles, now.wrinkles, share);
     }
     return result;
 }
@@ -134,19 +165,64 @@ bool Comparison::paint(const SimSnapshot& shown) {
     return false;
 }
 
+void Comparison::compareUntreated(bool beside) {
+    if (beside && m_document.model()) {
+        m_panel.setReference(-1);
+        m_untreated = true;
+        m_panel.setMode(CompareMode::SideBySide);
+        settleUntreated();
+    } else {
+        m_panel.setMode(CompareMode::Off);
+        choose(m_panel.reference());
+    }
+    Q_EMIT untreatedChanged(m_untreated);
+}
+
+void Comparison::settleUntreated() {
+    if (!m_untreated || !m_document.model()) {
+        return;
+    }
+    if (m_settling) {
+        m_followsSliders.start();  // one after the other
+        return;
+    }
+    const CaseState state = m_document.state();
+    m_settling = std::make_unique<SettleJob>(m_document.model(),
+                                             Variant{"untreated", state.rates, {}, state.shape},
+                                             m_document.skinAge());
+    connect(m_settling.get(), &SettleJob::finished, this, &Comparison::settled);
+    m_settling->start();
+}
+
+QString Comparison::beforeTitle() const {
+    if (m_untreated) {
+        return tr("untreated");
+    }
+    if (m_panel.reference() < 0) {
+        return tr("before");
+    }
+    const auto& variants = m_document.variants();
+    return tr("variant %1")
+        .arg(QString::fromStdString(variants[static_cast<std::size_t>(m_panel.reference())].name));
+}
+
 void Comparison::choose(int variant) {
+    if (std::exchange(m_untreated, false)) {
+        Q_EMIT untreatedChanged(false);
+    }
     const auto& variants = m_document.variants();
     if (variant < 0 || variant >= static_cast<int>(variants.size()) || !m_document.model()) {
         m_settling.reset();
         m_before.reset();
-        m_beforeJaw = 0.0;
+        m_beforeJaw = {};
+        m_beforeWrinkles = {};
         m_stale = true;
         updateView();
         Q_EMIT changed();
         return;
     }
-    m_settling = std::make_unique<SettleJob>(m_document.model(),
-                                             variants[static_cast<std::size_t>(variant)]);
+    m_settling = std::make_unique<SettleJob>(
+        m_document.model(), variants[static_cast<std::size_t>(variant)], m_document.skinAge());
     connect(m_settling.get(), &SettleJob::finished, this, &Comparison::settled);
     m_settling->start();
 }
@@ -159,6 +235,7 @@ void Comparison::settled() {
     }
     m_before = job->result().positions;
     m_beforeJaw = job->result().jaw;
+    m_beforeWrinkles = job->result().wrinkles;
     m_stale = true;
     updateView();
     Q_EMIT changed();
@@ -245,7 +322,7 @@ void Comparison::updateView() {
         m_view.setCompare(CompareMode::Off, nullptr);
     } else {
         Points nodes = before();
-        std::shared_ptr<SceneData> still = m_scene->still(nodes, m_beforeJaw);
+        std::shared_ptr<SceneData> still = m_scene->still(nodes, m_beforeJaw, m_beforeWrinkles);
         still->background_top = m_scene->scene().background_top;
         still->background_bottom = m_scene->scene().background_bottom;
         if (m_mode == CompareMode::Ghost) {
@@ -256,14 +333,7 @@ void Comparison::updateView() {
             still->mouth.opacity = 0.0F;
             ++still->topology;
         }
-        m_view.setCompare(
-            m_mode, std::move(still),
-            m_panel.reference() < 0
-                ? tr("before")
-                : tr("variant %1")
-                      .arg(QString::fromStdString(
-                          m_document.variants()[static_cast<std::size_t>(m_panel.reference())]
-                              .name)));
+        m_view.setCompare(m_mode, std::move(still), beforeTitle());
     }
     if (!paints()) {
         m_scene->tint_nodes({});

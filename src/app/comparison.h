@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <QObject>
+#include <QTimer>
 
 #include "myoface/measure/result_comparison.h"
 #include "myoface/scene/face_scene.h"
@@ -44,16 +45,22 @@ public:
     bool busy() const { return m_settling != nullptr || m_comparing != nullptr; }
     /// Compares with a scan of afterwards.
     void openActual(const QString& path);
+    /// Shows the same contractions with all muscles at full strength beside the face, and goes
+    /// along with its sliders.
+    void compareUntreated(bool beside);
     /// Keeps the face as it is as a variant with the next free letter.
     void storeVariant();
 
 Q_SIGNALS:
     void changed();  ///< draw again
+    void untreatedChanged(bool beside);
     void message(const QString& sentence);
     void problem(const QString& sentence);
 
 private:
     void choose(int variant);
+    void settleUntreated();
+    QString beforeTitle() const;
     void settled();
     void compared();
     void updateView();
@@ -65,12 +72,14 @@ private:
     ComparePanel& m_panel;
     FaceScene* m_scene = nullptr;
     std::optional<Points> m_before;  ///< of a variant; else the scan
-    double m_beforeJaw = 0.0;
-    QString m_beforeTitle;
+    JawPose m_beforeJaw;
+    Wrinkles m_beforeWrinkles;
     std::unique_ptr<SettleJob> m_settling;
     std::unique_ptr<ActualJob> m_comparing;
     std::optional<ResultComparison> m_actual;
     std::shared_ptr<const SimSnapshot> m_now;
+    QTimer m_followsSliders;
+    bool m_untreated = false;  ///< compared with itself at full strength
     bool m_held = false;
     bool m_stale = true;  ///< the picture of the state before is of another one
     CompareMode m_mode = CompareMode::Off;

@@ -5,8 +5,12 @@
 
 namespace myoface {
 
-SettleJob::SettleJob(std::shared_ptr<const FaceModel> face, Variant variant, QObject* parent)
-    : BackgroundJob(parent), m_face(std::move(face)), m_variant(std::move(variant)) {}
+SettleJob::SettleJob(std::shared_ptr<const FaceModel> face, Variant variant, double skinAge,
+                     QObject* parent)
+    : BackgroundJob(parent),
+      m_face(std::move(face)),
+      m_variant(std::move(variant)),
+      m_skinAge(skinAge) {}
 
 void SettleJob::run() {
     Simulator simulator(m_face);
@@ -17,9 +21,10 @@ void SettleJob::run() {
     }
     simulator.set_skin_rest(shaped_skin(*m_face, m_variant.shape));
     m_progress.report("settling", 0.5);
-    m_result.report = simulator.settle();
-    m_result.positions = simulator.state().positions;
-    m_result.jaw = jaw_opening(*m_face, simulator.contractions());
+    simulator.set_skin_age(m_skinAge);
+    const StepReport report = simulator.settle();
+    m_result = snapshot_of(simulator);
+    m_result.report = report;
 }
 
 ActualJob::ActualJob(std::shared_ptr<const FaceModel> face, Points plan, QString path,

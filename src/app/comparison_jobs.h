@@ -14,7 +14,8 @@ class SettleJob final : public BackgroundJob {
     Q_OBJECT
 
 public:
-    SettleJob(std::shared_ptr<const FaceModel> face, Variant variant, QObject* parent = nullptr);
+    SettleJob(std::shared_ptr<const FaceModel> face, Variant variant, double skinAge,
+              QObject* parent = nullptr);
     ~SettleJob() override { stop(); }
     const Variant& variant() const { return m_variant; }
     SimSnapshot& result() { return m_result; }
@@ -24,6 +25,7 @@ private:
 
     std::shared_ptr<const FaceModel> m_face;
     Variant m_variant;
+    double m_skinAge;
     SimSnapshot m_result;
 };
 

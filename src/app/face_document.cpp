@@ -12,6 +12,7 @@ CaseState stateOf(const FaceEdits& edits) {
         state.protection = protection_of_scan(*edits.model, edits.protection);
     }
     state.variants = edits.variants;
+    state.skin_age = edits.skinAge;
     state.notes = edits.notes;
     if (edits.model && !edits.plan.empty()) {
         state.plan = {plan_origin(*edits.model), edits.plan};
@@ -58,6 +59,7 @@ void FaceDocument::setFace(std::shared_ptr<const OpenedFace> opened,
     const CaseState state = m_opened ? m_opened->state : CaseState();
     m_protection = m_model ? protection_of_nodes(*m_model, state.protection) : Eigen::VectorXd();
     m_variants = state.variants;
+    m_skinAge = state.skin_age;
     m_notes = QString::fromStdString(state.notes);
     m_passphrase = m_opened ? m_opened->passphrase : std::string();
     m_before = m_model ? carried(state.plan, *m_model).edits : Plan();
@@ -99,6 +101,11 @@ void FaceDocument::setVariants(const std::vector<Variant>& variants) {
     Q_EMIT variantsChanged();
 }
 
+void FaceDocument::setSkinAge(double years) {
+    m_skinAge = years;
+    Q_EMIT skinAgeChanged(years);
+}
+
 void FaceDocument::setNotes(const QString& notes) {
     m_notes = notes;
     Q_EMIT notesChanged();
@@ -131,8 +138,8 @@ Plan FaceDocument::plan() const {
 }
 
 FaceEdits FaceDocument::edits() const {
-    return {m_model,    m_contractions,        m_skinRest, m_protection, m_landmarks, m_fit,
-            m_variants, m_notes.toStdString(), plan()};
+    return {m_model, m_contractions, m_skinRest, m_protection,         m_landmarks,
+            m_fit,   m_variants,     m_skinAge,  m_notes.toStdString(), plan()};
 }
 
 void FaceDocument::setModel(std::shared_ptr<const FaceModel> model, const Points& skinRest) {

@@ -20,6 +20,7 @@ struct FaceEdits {
     Landmarks landmarks;
     FitOptions fit;
     std::vector<Variant> variants;
+    double skinAge = kUsualSkin;
     std::string notes;
     Plan plan;  ///< the edits that led here, with places on `model`
 };
@@ -47,6 +48,7 @@ public:
     const Landmarks& landmarks() const { return m_landmarks; }
     const FitOptions& fit() const { return m_fit; }
     const std::vector<Variant>& variants() const { return m_variants; }
+    double skinAge() const { return m_skinAge; }
     const QString& notes() const { return m_notes; }
     QUndoStack* undoStack() { return &m_undoStack; }
 
@@ -58,6 +60,7 @@ public:
     void setLandmarks(const Landmarks& landmarks);
     void setTissue(TissueThickness tissue);
     void setVariants(const std::vector<Variant>& variants);
+    void setSkinAge(double years);
     void setNotes(const QString& notes);
     /// Of saved cases and the journal; empty: they are not protected.
     void setPassphrase(const std::string& passphrase);
@@ -81,6 +84,7 @@ Q_SIGNALS:
     void landmarksChanged();
     void tissueChanged();
     void variantsChanged();
+    void skinAgeChanged(double years);
     void notesChanged();
     void passphraseChanged();
 
@@ -93,6 +97,7 @@ private:
     Landmarks m_landmarks;
     FitOptions m_fit;
     std::vector<Variant> m_variants;
+    double m_skinAge = kUsualSkin;
     QString m_notes;
     std::string m_passphrase;
     Plan m_before;  ///< edits from before the history begins, with places on m_model

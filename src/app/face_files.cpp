@@ -191,7 +191,7 @@ void FaceFiles::exportFace(const SimSnapshot& shown) {
     }
     try {
         write_face(path.toStdString(), *m_document.opened()->scan, *m_document.model(),
-                   shown.positions, shown.jaw);
+                   shown.positions, shown.jaw, shown.wrinkles);
         Q_EMIT message(tr("Written: %1").arg(path));
     } catch (const Error& error) {
         Q_EMIT problem(QString::fromUtf8(error.what()));

@@ -108,6 +108,9 @@ int main(int argc, char** argv) {
     const QCommandLineOption strength(QStringLiteral("strength"),
                                       QObject::tr("NAME=s, of a muscle; repeatable"),
                                       QStringLiteral("setting"));
+    const QCommandLineOption skinAge(QStringLiteral("skin-age"),
+                                     QObject::tr("years of the skin that wrinkles, 18 to 80"),
+                                     QStringLiteral("years"));
     const QCommandLineOption step(QStringLiteral("step"),
                                   QObject::tr("scan, fit, shape, expression, compare or report"),
                                   QStringLiteral("name"));
@@ -120,8 +123,8 @@ int main(int argc, char** argv) {
                                    QStringLiteral("name"));
     const QCommandLineOption size(QStringLiteral("size"), QObject::tr("of the window [px]"),
                                   QStringLiteral("WxH"));
-    parser.addOptions({screenshot, muscle, strength, expression, layers, view, landmarks, panel,
-                       step, compare, language, theme, size});
+    parser.addOptions({screenshot, muscle, strength, expression, skinAge, layers, view, landmarks,
+                       panel, step, compare, language, theme, size});
     parser.process(application);
 
     myoface::Settings settings = myoface::Settings::read();
@@ -189,6 +192,9 @@ int main(int argc, char** argv) {
             }
             for (const auto& [name, share] : strengths) {
                 window.setStrengths(name, share);
+            }
+            if (parser.isSet(skinAge)) {
+                window.setSkinAge(parser.value(skinAge).toDouble());
             }
             if (parser.isSet(step)) {
                 window.showStep(parser.value(step));

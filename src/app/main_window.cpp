@@ -19,7 +19,7 @@
 #include <QVBoxLayout>
 
 #include "myoface/base/error.h"
-#include "myoface/muscle/expression.h"
+#include "myoface/muscle/user_expressions.h"
 #include "myoface/muscle/weakening.h"
 #include "myoface/scene/muscle_drawing.h"
 
@@ -50,7 +50,8 @@
 namespace myoface {
 namespace {
 
-const char* const kLeast = "least";  ///< property of a dock: least width of its content [px]
+constexpr double kGlideSeconds = 0.4;  // in which a chosen preset is reached
+const char* const kLeast = "least";    ///< property of a dock: least width of its content [px]
 
 /// The head in the picture: hairline to chin, ears in.
 std::pair<Vec3, double> faceSphere(const OpenedFace& opened) {
@@ -150,6 +151,10 @@ void MainWindow::connectDocument() {
         m_muscles->setStrength(muscle, strength);
         inWorker([muscle, strength](SimulationWorker& w) { w.setStrength(muscle, strength); });
     });
+    connect(&m_document, &FaceDocument::skinAgeChanged, this, [this](double years) {
+        m_muscles->setSkinAge(years);
+        inWorker([years](SimulationWorker& w) { w.setSkinAge(years); });
+    });
     connect(&m_document, &FaceDocument::skinRestChanged, this, [this] {
         inWorker([rest = m_document.skinRest()](SimulationWorker& w) { w.setSkinRest(rest); });
     });
@@ -191,14 +196,29 @@ void MainWindow::connectPanels() {
                                       tr("strength of %1").arg(title)));
         });
     connect(m_muscles, &MusclePanel::expressionChosen, this,
-            [this](const std::string& name, double left, double right, int gesture) {
-                if (m_document.model()) {  // from rest: the list shows one expression at a time
-                    pushExpression(std::vector<double>(m_document.contractions().rate.size(), 0.0),
-                                   name, left, right, gesture);
+            [this](const std::string& name, double left, double right, int gesture, bool fresh) {
+                if (m_document.model()) {
+                    chooseExpression(name, left, right, gesture, fresh);
                 }
             });
+    connect(m_muscles, &MusclePanel::expressionSaveAsked, this, [this](const QString& name) {
+        changePresets(name, [&] {
+            save_user_expression(name.toStdString(), m_document.contractions().rate);
+        });
+    });
+    connect(m_muscles, &MusclePanel::expressionRemoveAsked, this, [this](const QString& name) {
+        changePresets({}, [&] { remove_user_expression(name.toStdString()); });
+    });
+    connect(m_muscles, &MusclePanel::untreatedAsked, this,
+            [this](bool beside) { m_comparison->compareUntreated(beside); });
     connect(m_muscles, &MusclePanel::weakeningChosen, this, &MainWindow::weaken);
     connect(m_muscles, &MusclePanel::resetRequested, this, &MainWindow::restMuscles);
+    connect(m_muscles, &MusclePanel::skinAgeEdited, this, [this](double years, int gesture) {
+        if (m_document.model()) {
+            m_document.undoStack()->push(
+                new SetSkinAgeCommand(m_document, years, gesture, tr("age of the skin")));
+        }
+    });
     connect(m_layers, &LayerPanel::layersEdited, this, [this] {
         if (m_scene) {
             m_scene->set_layers(m_layers->layers());
@@ -219,6 +239,7 @@ void MainWindow::connectPanels() {
     });
 
     m_comparison = new Comparison(m_document, *m_view, *m_comparePanel, this);
+    connect(m_comparison, &Comparison::untreatedChanged, m_muscles, &MusclePanel::setUntreated);
     connect(m_comparison, &Comparison::changed, this, &MainWindow::showAgain);
     connect(m_comparison, &Comparison::message, this, say);
     connect(m_comparison, &Comparison::problem, this, &MainWindow::complain);
@@ -647,6 +668,7 @@ void MainWindow::showMuscles() {
         return;
     }
     m_muscles->setMuscles(model->muscles);
+    m_muscles->setSkinAge(m_document.skinAge());
     for (std::size_t m = 0; m < model->muscles.size(); ++m) {
         m_muscles->setRate(static_cast<int>(m), m_document.contractions().rate[m]);
         m_muscles->setStrength(static_cast<int>(m), m_document.contractions().strength[m]);
@@ -734,7 +756,10 @@ void MainWindow::showRefitted(FitJob& job) {
     m_scene = std::make_unique<FaceScene>(job.model()->scan, m_document.opened()->texture);
     m_scene->set_face(job.model(), system.model.springs, system.chains);
     auto holder = std::make_shared<std::unique_ptr<Simulator>>(std::move(job.simulator()));
-    inWorker([holder](SimulationWorker& w) { w.setSimulator(std::move(*holder)); });
+    inWorker([holder, years = m_document.skinAge()](SimulationWorker& w) {
+        w.setSimulator(std::move(*holder));
+        w.setSkinAge(years);
+    });
     takeScene();
 }
 
@@ -824,6 +849,29 @@ void MainWindow::pushExpression(std::vector<double> rates, const std::string& na
                                                        rates, gesture, inWords(expression.title)));
 }
 
+/// A preset from the list: alone, or on top of what the muscles did when it was chosen.
+void MainWindow::chooseExpression(const std::string& name, double left, double right, int gesture,
+                                  bool fresh) {
+    const std::vector<double>& now = m_document.contractions().rate;
+    if (fresh || m_expressionBase.size() != now.size()) {
+        m_expressionBase = m_muscles->blends() ? now : std::vector<double>(now.size(), 0.0);
+    }
+    const double seconds = fresh && m_muscles->glides() ? kGlideSeconds : 0.0;
+    inWorker([seconds](SimulationWorker& w) { w.beginGlide(seconds); });
+    pushExpression(m_expressionBase, name, left, right, gesture);
+    inWorker([](SimulationWorker& w) { w.endGlide(); });
+}
+
+/// Changes the user's own presets and lists them anew.
+void MainWindow::changePresets(const QString& chosen, const std::function<void()>& change) {
+    try {
+        change();
+        m_muscles->listExpressions(chosen);
+    } catch (const Error& error) {
+        complain(QString::fromUtf8(error.what()));
+    }
+}
+
 void MainWindow::addExpression(const std::string& name, double intensity) {
     if (m_document.model()) {
         pushExpression(m_document.contractions().rate, name, intensity, intensity, -2);
@@ -848,6 +896,11 @@ void MainWindow::weaken(const std::string& preset, bool left, bool right) {
     std::iota(all.begin(), all.end(), 0);
     m_document.undoStack()->push(
         new SetMusclesCommand(m_document, MuscleSetting::Strength, all, strengths, -1, title));
+}
+
+void MainWindow::setSkinAge(double years) {
+    m_document.undoStack()->push(new SetSkinAgeCommand(
+        m_document, std::clamp(years, kYoungestSkin, kOldestSkin), -2, tr("age of the skin")));
 }
 
 void MainWindow::setLayers(const LayerOpacity& layers) {

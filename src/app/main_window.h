@@ -74,6 +74,8 @@ public:
     void setStrengths(const std::string& muscle, double strength);
     /// Adds an expression to what the muscles do. @throws InvalidInput for an unknown name
     void addExpression(const std::string& name, double intensity);
+    /// Years of the skin that wrinkles, held within what there is.
+    void setSkinAge(double years);
     void setLayers(const LayerOpacity& layers);
     FaceFiles& files() { return *m_files; }
     PlanFiles& plans() { return *m_plans; }
@@ -157,6 +159,9 @@ private:
     void restMuscles();
     void pushExpression(std::vector<double> rates, const std::string& name, double left,
                         double right, int gesture);
+    void chooseExpression(const std::string& name, double left, double right, int gesture,
+                          bool fresh);
+    void changePresets(const QString& chosen, const std::function<void()>& change);
     void nameWhatIsThere(const ViewRay& ray, const std::optional<SurfacePoint>& where);
     void showAgain();
     void weaken(const std::string& preset, bool left, bool right);
@@ -201,8 +206,9 @@ private:
     SimulationWorker* m_worker = nullptr;
     std::unique_ptr<OpenJob> m_job;
     std::shared_ptr<const SimSnapshot> m_shown;
-    int m_springs = 0;  ///< of the face that is shown
-    int m_nodes = 0;    ///< of its model, muscle chains in
+    int m_springs = 0;                     ///< of the face that is shown
+    int m_nodes = 0;                       ///< of its model, muscle chains in
+    std::vector<double> m_expressionBase;  ///< what the muscles did before the chosen preset
     QString m_lastProblem;
     bool m_settled = true;
 };

@@ -8,20 +8,25 @@
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QWheelEvent>
 #include <QWidgetAction>
 
-#include "myoface/muscle/expression.h"
+#include "myoface/muscle/user_expressions.h"
 #include "myoface/muscle/weakening.h"
+#include "myoface/muscle/wrinkle.h"
 
 #include "language.h"
 
 namespace myoface {
 namespace {
+
+constexpr int kOwnPreset = Qt::UserRole + 1;  // its name, of presets of the user's own
 
 /// A slider that a double click sets back to rest.
 class RestingSlider final : public QSlider {
@@ -59,6 +64,7 @@ MusclePanel::MusclePanel(QWidget* parent) : QWidget(parent) {
     layout->addLayout(top);
     layout->addLayout(expressionRow());
     layout->addLayout(weakeningRow());
+    layout->addLayout(skinAgeRow());
     m_filter = new QLineEdit;
     m_filter->setPlaceholderText(tr("Find a muscle or action unit"));
     m_filter->setClearButtonEnabled(true);
@@ -81,12 +87,9 @@ MusclePanel::MusclePanel(QWidget* parent) : QWidget(parent) {
 QLayout* MusclePanel::expressionRow() {
     auto* grid = new QGridLayout;
     m_expression = new QComboBox;
+    m_expression->setObjectName(QStringLiteral("expression"));
     m_expression->setAccessibleName(tr("Expression"));
     m_expression->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_expression->addItem(tr("Expression …"));
-    for (const Expression& preset : expression_presets()) {
-        m_expression->addItem(inWords(preset.title), QString::fromStdString(preset.name));
-    }
     m_intensity = new QSlider(Qt::Horizontal);
     m_intensity->setRange(0, 100);
     m_intensity->setValue(80);
@@ -98,20 +101,123 @@ QLayout* MusclePanel::expressionRow() {
     m_balance->setToolTip(
         tr("Balance of the sides: to the left, the patient's right side does "
            "more; to the right, the left side"));
-    grid->addWidget(m_expression, 0, 0, 2, 1);
-    grid->addWidget(m_intensity, 0, 1);
+    grid->addWidget(m_expression, 0, 0);
+    grid->addLayout(intensityRow(), 0, 1);
+    grid->addLayout(presetRow(), 1, 0);
     grid->addWidget(m_balance, 1, 1);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
+    listExpressions();
     connect(m_expression, QOverload<int>::of(&QComboBox::activated), this, [this] {
         ++m_gesture;
-        chooseExpression();
+        m_remove->setEnabled(!m_expression->currentData(kOwnPreset).toString().isEmpty());
+        chooseExpression(true);
     });
     for (QSlider* slider : {m_intensity, m_balance}) {
         connect(slider, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
-        connect(slider, &QSlider::valueChanged, this, &MusclePanel::chooseExpression);
+        connect(slider, &QSlider::valueChanged, this, [this] {
+            showIntensity();
+            chooseExpression(false);
+        });
     }
+    showIntensity();
     return grid;
+}
+
+/// The slider with the five letters of the Facial Action Coding System.
+QLayout* MusclePanel::intensityRow() {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(0);
+    column->addWidget(m_intensity);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    for (const char letter : {'A', 'B', 'C', 'D', 'E'}) {
+        auto* button = new QToolButton;
+        button->setText(QString(QLatin1Char(letter)));
+        button->setObjectName(QStringLiteral("intensity") + QLatin1Char(letter));
+        button->setAutoRaise(true);
+        button->setCheckable(true);
+        button->setToolTip(tr("Intensity of the expression: A a trace … E the most"));
+        connect(button, &QToolButton::clicked, this, [this, letter] {
+            ++m_gesture;
+            m_intensity->setValue(static_cast<int>(std::lround(100.0 * intensity_of(letter))));
+            showIntensity();
+        });
+        m_letters.push_back(button);
+        row->addWidget(button, 1);
+    }
+    column->addLayout(row);
+    return column;
+}
+
+void MusclePanel::showIntensity() {
+    const QLatin1Char letter(intensity_letter(m_intensity->value() / 100.0));
+    for (QToolButton* button : m_letters) {
+        button->setChecked(button->text() == QString(letter));
+    }
+}
+
+/// How presets are used, and the user's own.
+QLayout* MusclePanel::presetRow() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    m_blend = new QCheckBox(tr("Add"));
+    m_blend->setObjectName(QStringLiteral("blend"));
+    m_blend->setToolTip(tr("A preset adds to what the muscles do, instead of taking its place"));
+    m_glide = new QCheckBox(tr("Glide"));
+    m_glide->setObjectName(QStringLiteral("glide"));
+    m_glide->setToolTip(tr("A preset is reached by and by, within 0.4 seconds"));
+    m_glide->setChecked(QSettings().value(QStringLiteral("glide"), true).toBool());
+    connect(m_glide, &QCheckBox::toggled, this,
+            [](bool on) { QSettings().setValue(QStringLiteral("glide"), on); });
+    m_save = new QToolButton;
+    m_save->setText(tr("Save…"));
+    m_save->setObjectName(QStringLiteral("savePreset"));
+    m_save->setToolTip(tr("Keeps what the sliders show as a preset of your own"));
+    m_remove = new QToolButton;
+    m_remove->setText(tr("Remove"));
+    m_remove->setObjectName(QStringLiteral("removePreset"));
+    m_remove->setToolTip(tr("Removes this preset of your own"));
+    m_remove->setEnabled(false);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_blend, m_glide, m_save, m_remove}) {
+        row->addWidget(widget);
+    }
+    row->addStretch(1);
+    connect(m_save, &QToolButton::clicked, this, &MusclePanel::savePreset);
+    connect(m_remove, &QToolButton::clicked, this, [this] {
+        Q_EMIT expressionRemoveAsked(m_expression->currentData(kOwnPreset).toString());
+    });
+    return row;
+}
+
+void MusclePanel::savePreset() {
+    bool accepted = false;
+    const QString name = QInputDialog::getText(this, tr("Keep a preset"), tr("Name of the preset:"),
+                                               QLineEdit::Normal, {}, &accepted)
+                             .trimmed();
+    if (accepted && !name.isEmpty()) {
+        Q_EMIT expressionSaveAsked(name);
+    }
+}
+
+void MusclePanel::listExpressions(const QString& chosen) {
+    m_expression->clear();
+    m_expression->addItem(tr("Expression …"));
+    for (const Expression& preset : expression_presets()) {
+        m_expression->addItem(inWords(preset.title), QString::fromStdString(preset.name));
+    }
+    const std::vector<Expression> own = user_expressions();
+    if (!own.empty()) {
+        m_expression->insertSeparator(m_expression->count());
+    }
+    for (const Expression& preset : own) {
+        const QString name = QString::fromStdString(preset.name);
+        m_expression->addItem(name, name);
+        m_expression->setItemData(m_expression->count() - 1, name, kOwnPreset);
+    }
+    const int at = chosen.isEmpty() ? 0 : std::max(0, m_expression->findData(chosen));
+    m_expression->setCurrentIndex(at);
+    m_remove->setEnabled(!m_expression->currentData(kOwnPreset).toString().isEmpty());
 }
 
 QLayout* MusclePanel::weakeningRow() {
@@ -130,13 +236,56 @@ QLayout* MusclePanel::weakeningRow() {
     m_weakSide = new QComboBox;
     m_weakSide->setAccessibleName(tr("Side"));
     m_weakSide->addItems({tr("both sides"), tr("left"), tr("right")});
+    m_untreated = new QToolButton;
+    m_untreated->setObjectName(QStringLiteral("untreated"));
+    m_untreated->setText(tr("Beside untreated"));
+    m_untreated->setToolTip(
+        tr("Shows the same expression with all muscles at full strength beside this one"));
+    m_untreated->setCheckable(true);
+    connect(m_untreated, &QToolButton::clicked, this, &MusclePanel::untreatedAsked);
     row->addWidget(m_weakening, 1);
     row->addWidget(m_weakSide);
+    row->addWidget(m_untreated);
     connect(m_weakening, QOverload<int>::of(&QComboBox::activated), this,
             &MusclePanel::chooseWeakening);
     connect(m_weakSide, QOverload<int>::of(&QComboBox::activated), this,
             &MusclePanel::chooseWeakening);
     return row;
+}
+
+QLayout* MusclePanel::skinAgeRow() {
+    auto* row = new QHBoxLayout;
+    m_skinAge = new QSlider(Qt::Horizontal);
+    m_skinAge->setObjectName(QStringLiteral("skinAge"));
+    m_skinAge->setRange(static_cast<int>(kYoungestSkin), static_cast<int>(kOldestSkin));
+    m_skinAge->setAccessibleName(tr("Age of the skin"));
+    m_skinAge->setToolTip(tr("Age of the skin: how deep expressions wrinkle it"));
+    m_skinAgeWords = new QLabel;
+    m_skinAgeWords->setMinimumWidth(64);
+    m_skinAgeWords->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->addWidget(new QLabel(tr("Wrinkles")));
+    row->addWidget(m_skinAge, 1);
+    row->addWidget(m_skinAgeWords);
+    connect(m_skinAge, &QSlider::sliderPressed, this, [this] { ++m_gesture; });
+    connect(m_skinAge, &QSlider::valueChanged, this, [this](int years) {
+        if (!m_skinAge->isSliderDown()) {
+            ++m_gesture;
+        }
+        m_skinAgeWords->setText(tr("%1 years").arg(years));
+        Q_EMIT skinAgeEdited(years, m_gesture);
+    });
+    setSkinAge(kUsualSkin);
+    return row;
+}
+
+void MusclePanel::setUntreated(bool beside) {
+    m_untreated->setChecked(beside);
+}
+
+void MusclePanel::setSkinAge(double years) {
+    const QSignalBlocker blocker(m_skinAge);
+    m_skinAge->setValue(static_cast<int>(std::lround(years)));
+    m_skinAgeWords->setText(tr("%1 years").arg(m_skinAge->value()));
 }
 
 void MusclePanel::chooseWeakening() {
@@ -179,13 +328,13 @@ void MusclePanel::setMuscles(const std::vector<Muscle>& muscles) {
     applyLink();
 }
 
-void MusclePanel::chooseExpression() {
+void MusclePanel::chooseExpression(bool fresh) {
     const std::string name = m_expression->currentData().toString().toStdString();
     if (!name.empty()) {
         const double whole = m_intensity->value() / 100.0;
         const double balance = m_balance->value() / 100.0;
         Q_EMIT expressionChosen(name, whole * std::min(1.0, 1.0 + balance),
-                                whole * std::min(1.0, 1.0 - balance), m_gesture);
+                                whole * std::min(1.0, 1.0 - balance), m_gesture, fresh);
     }
 }
 

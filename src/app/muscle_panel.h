@@ -28,6 +28,13 @@ public:
     void setMuscles(const std::vector<Muscle>& muscles);
     void setRate(int muscle, double rate);
     void setStrength(int muscle, double strength);
+    void setSkinAge(double years);
+    /// Presets of the program and of the user's own, anew. @param chosen name of the current one
+    void listExpressions(const QString& chosen = {});
+    /// Whether a preset adds to what the muscles do, and whether it is reached by and by.
+    bool blends() const { return m_blend->isChecked(); }
+    bool glides() const { return m_glide->isChecked(); }
+    void setUntreated(bool beside);
     QSlider* slider(int muscle) const;  ///< for tests and shortcuts
 
 Q_SIGNALS:
@@ -38,8 +45,16 @@ Q_SIGNALS:
     /// A ready set of weak muscles is wanted; an empty name: all at full strength.
     void weakeningChosen(const std::string& name, bool left, bool right);
     void resetRequested();
-    /// A preset is to be shown alone, with an intensity of 0 … 1 for each side.
-    void expressionChosen(const std::string& name, double left, double right, int gesture);
+    void skinAgeEdited(double years, int gesture);
+    /// A preset is to be shown, with an intensity of 0 … 1 for each side: alone, or on top of what
+    /// the muscles did when it was chosen. @param fresh it has just been chosen
+    void expressionChosen(const std::string& name, double left, double right, int gesture,
+                          bool fresh);
+    /// What the sliders show is to be kept as a preset of the user's own.
+    void expressionSaveAsked(const QString& name);
+    void expressionRemoveAsked(const QString& name);
+    /// The expression with all muscles at full strength is wanted beside the weakened one.
+    void untreatedAsked(bool beside);
 
 private:
     struct Row {
@@ -58,18 +73,28 @@ private:
     void showValue(Row& row);
     void editStrength(int muscle);
     QLayout* expressionRow();
+    QLayout* intensityRow();
+    QLayout* presetRow();
+    void savePreset();
+    void showIntensity();
     QLayout* weakeningRow();
+    QLayout* skinAgeRow();
     void applyLink();
     void applyFilter(const QString& text);
 
-    void chooseExpression();
+    void chooseExpression(bool fresh);
     void chooseWeakening();
 
     QCheckBox* m_linked = nullptr;
     QComboBox* m_expression = nullptr;
     QSlider* m_intensity = nullptr;
     QSlider* m_balance = nullptr;
+    std::vector<QToolButton*> m_letters;  ///< A … E
+    QCheckBox *m_blend = nullptr, *m_glide = nullptr;
+    QToolButton *m_save = nullptr, *m_remove = nullptr, *m_untreated = nullptr;
     QComboBox *m_weakening = nullptr, *m_weakSide = nullptr;
+    QSlider* m_skinAge = nullptr;
+    QLabel* m_skinAgeWords = nullptr;
     QLineEdit* m_filter = nullptr;
     QWidget* m_list = nullptr;
     QVBoxLayout* m_listLayout = nullptr;

@@ -37,13 +37,59 @@ void SimulationWorker::guarded(const Action& action) {
 
 void SimulationWorker::setSimulator(std::unique_ptr<Simulator> simulator) {
     m_simulator = std::move(simulator);
+    m_glide.reset();
+    m_collecting = false;
     setPace(m_pace);
     setResponse(m_response);
     wake();
 }
 
+void SimulationWorker::beginGlide(double seconds) {
+    if (!m_simulator || seconds <= 0.0) {
+        return;
+    }
+    const std::vector<double>& now = m_simulator->contractions().rate;
+    m_glide = Glide{now, m_glide ? m_glide->to : now, seconds, {}};
+    m_glide->clock.start();
+    m_collecting = true;
+}
+
+void SimulationWorker::endGlide() {
+    m_collecting = false;
+}
+
 void SimulationWorker::setRate(int muscle, double rate) {
-    guarded([&] { m_simulator->set_contraction(muscle, rate); });
+    guarded([&] {
+        if (m_collecting) {
+            m_glide->to[static_cast<std::size_t>(muscle)] = rate;
+            return;
+        }
+        finishGlide();  // a hand on a slider does not wait
+        m_simulator->set_contraction(muscle, rate);
+    });
+}
+
+void SimulationWorker::finishGlide() {
+    if (m_glide) {
+        m_simulator->set_contractions(m_glide->to);
+        m_glide.reset();
+    }
+}
+
+/// One frame further.
+void SimulationWorker::glide() {
+    const double t = static_cast<double>(m_glide->clock.elapsed()) / (1000.0 * m_glide->seconds);
+    if (t >= 1.0) {
+        finishGlide();
+        return;
+    }
+    const double share = t * t * (3.0 - 2.0 * t);
+    std::vector<double> rates = m_glide->from;
+    for (std::size_t m = 0; m < rates.size(); ++m) {
+        rates[m] += share * (m_glide->to[m] - rates[m]);
+    }
+    m_simulator->set_contractions(rates);
+    m_sinceChange = 0;
 }
 
 void SimulationWorker::setStrength(int muscle, double strength) {
@@ -53,6 +99,10 @@ void SimulationWorker::setStrength(int muscle, double strength) {
 void SimulationWorker::setResponse(ResponseForm form) {
     m_response = form;
     guarded([&] { m_simulator->set_response(form); });
+}
+
+void SimulationWorker::setSkinAge(double years) {
+    guarded([&] { m_simulator->set_skin_age(years); });
 }
 
 void SimulationWorker::setSkinRest(const Points& skinRest) {
@@ -249,12 +299,16 @@ void SimulationWorker::work() {
     }
     try {
         m_clock.start();
+        if (m_glide) {
+            glide();
+        }
         const bool waited =
             m_simulator->live() || m_simulator->dragging() || m_sinceChange < kQuickFrames;
         ++m_sinceChange;
-        const StepReport report =
+        StepReport report =
             m_simulator->step(m_governor.sweeps(waited ? kFrameBudget : kSettleBudget));
         m_governor.learn(report);
+        report.converged = report.converged && !m_glide;
         publish(report);
         if (report.converged) {
             m_timer.stop();
@@ -269,12 +323,8 @@ void SimulationWorker::work() {
 }
 
 void SimulationWorker::publish(const StepReport& report) {
-    auto snapshot = std::make_shared<SimSnapshot>();
-    snapshot->positions = m_simulator->state().positions;
-    snapshot->rates = m_simulator->contractions().rate;
-    snapshot->jaw = jaw_opening(m_simulator->face(), m_simulator->contractions());
+    auto snapshot = std::make_shared<SimSnapshot>(snapshot_of(*m_simulator));
     snapshot->report = report;
-    snapshot->dragging = m_simulator->dragging();
     snapshot->frame = ++m_frame;
     m_box.put(std::move(snapshot));
     Q_EMIT snapshotReady();

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -43,9 +45,14 @@ public:
 
     // All of these are called in the worker's thread.
     void setSimulator(std::unique_ptr<Simulator> simulator);
+    /// Contractions set until endGlide() are reached over some time instead of at once.
+    /// @param seconds 0: at once
+    void beginGlide(double seconds);
+    void endGlide();
     void setRate(int muscle, double rate);
     void setStrength(int muscle, double strength);
     void setResponse(ResponseForm form);
+    void setSkinAge(double years);
     void setSkinRest(const Points& skinRest);
     void beginDrag(const DragRequest& request, const ViewRay& ray);
     void moveDrag(const ViewRay& ray);
@@ -68,8 +75,17 @@ Q_SIGNALS:
     void refused(const QString& sentence);
 
 private:
+    /// The way from the contractions of a moment to those that are wanted.
+    struct Glide {
+        std::vector<double> from, to;
+        double seconds = 0.0;
+        QElapsedTimer clock;
+    };
+
     void wake();
     void work();
+    void glide();
+    void finishGlide();
     void publish(const StepReport& report);
     void record(const DragRequest& request, const ViewRay& ray);
     DragEdit recorded() const;
@@ -84,6 +100,8 @@ private:
     QTimer m_timer;
     QElapsedTimer m_clock;
     FrameGovernor m_governor;
+    std::optional<Glide> m_glide;
+    bool m_collecting = false;  ///< contractions that come are the glide's aim
     double m_pace = 0.0;
     ResponseForm m_response = ResponseForm::Smooth;
     int m_sinceChange = 0;  ///< frames

@@ -40,6 +40,10 @@ void FaceArguments::add_to(CLI::App& command) {
                        "landmark, \"vertex N\" or x,y,z");
     command.add_option("--tissue", tissue,
                        "depth of the soft tissue over the bone: thin, mean or heavy");
+    command
+        .add_option("--skin-age", skin_age,
+                    "years of the skin, 18 to 80: how deep expressions wrinkle it (40 when absent)")
+        ->check(CLI::Range(kYoungestSkin, kOldestSkin));
     command.add_option("--passphrase-file", passphrase_file,
                        "file whose first line is the passphrase of protected cases, read or "
                        "written; MYOFACE_PASSPHRASE does the same");
@@ -79,6 +83,9 @@ OpenedFace FaceArguments::open() const {
     try {
         OpenedFace opened = open_face(face, options);
         opened.passphrase = options.passphrase;
+        if (skin_age) {
+            opened.state.skin_age = *skin_age;
+        }
         return opened;
     } catch (const PassphraseNeeded& locked) {
         throw IoError(std::string(locked.what()) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace myoface::cli {
 /// FACE with --landmarks, --unit and --axes, as several commands take it.
 struct FaceArguments {
     std::string face, landmarks, unit, axes, known, tissue, passphrase_file;
+    std::optional<double> skin_age;
 
     void add_to(CLI::App& command);
     /// Opens the face. Cases that are written from it are protected where a passphrase was given.

@@ -131,10 +131,7 @@ void render(const Arguments& a) {
         scene.set_face(simulator->shared_face(), simulator->system().model.springs,
                        simulator->system().chains);
         scene.set_layers(layers);
-        SimSnapshot snapshot;
-        snapshot.positions = simulator->state().positions;
-        snapshot.jaw = jaw_opening(simulator->face(), simulator->contractions());
-        scene.show(snapshot);
+        scene.show(snapshot_of(*simulator));
         shown = simulator->scan_vertices();
     }
     scene.show_loose_parts(!a.no_loose_parts);

@@ -89,13 +89,12 @@ Image drawn(FaceScene& scene, const Landmarks& landmarks, const std::string& vie
 }
 
 SimSnapshot moment(const Simulator& simulator, bool before) {
-    SimSnapshot snapshot;
-    snapshot.positions = simulator.state().positions;
+    SimSnapshot snapshot = snapshot_of(simulator);
     if (before) {
         snapshot.positions.leftCols(simulator.face().node_count()) =
             simulator.face().skin.mesh.vertices;
-    } else {
-        snapshot.jaw = jaw_opening(simulator.face(), simulator.contractions());
+        snapshot.jaw = {};
+        snapshot.wrinkles.depth.resize(0);
     }
     return snapshot;
 }

@@ -70,7 +70,7 @@ void add_simulate(CLI::App& app) {
                       << " steps; the report says how far.\n";
         }
         write_face(a->output, *opened.scan, simulator->face(), simulator->state().positions,
-                   jaw_opening(simulator->face(), simulator->contractions()));
+                   jaw_pose(simulator->face(), simulator->contractions()), simulator->wrinkles());
         if (!a->report.empty()) {
             write_text(a->report, simulation_report(*simulator, report).dump(1) + "\n");
         }

@@ -29,6 +29,20 @@ nlohmann::ordered_json drag_json(const FaceModel& face, const DragReport& drag) 
     return json;
 }
 
+/// The deepest furrow of each group [mm].
+nlohmann::ordered_json deepest_wrinkles(const Wrinkles& wrinkles) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (std::size_t g = 0; !wrinkles.none() && g < wrinkles.map->gauges.size(); ++g) {
+        const WrinkleMap::Gauge& gauge = wrinkles.map->gauges[g];
+        const std::string& group = furrow_atlas()[static_cast<std::size_t>(gauge.furrow)].group;
+        const double depth = gauge.taper * wrinkles.depth[static_cast<Eigen::Index>(g)];
+        if (depth > json.value(group, 0.0)) {
+            json[group] = depth;
+        }
+    }
+    return json;
+}
+
 }  // namespace
 
 nlohmann::ordered_json simulation_report(const Simulator& simulator, const PlanReport& plan) {
@@ -41,6 +55,8 @@ nlohmann::ordered_json simulation_report(const Simulator& simulator, const PlanR
     for (std::size_t m = 0; m < face.muscles.size(); ++m) {
         json["muscles"][face.muscles[m].traits.name] = simulator.contractions().rate[m];
     }
+    json["skin_age"] = simulator.skin_age();
+    json["wrinkles_mm"] = deepest_wrinkles(simulator.wrinkles());
     json["max_displacement_mm"] = plan.last.max_displacement_mm;
     json["max_strain"] = plan.last.max_strain;
     json["solver"] = {{"name", plan.last.solver},

@@ -145,7 +145,7 @@ void Renderer::upload_fixed(Surface& surface, const SurfaceLayer& layer) {
     fill(surface.positions, kPosition, 3, layer.positions, GL_DYNAMIC_DRAW);
     fill(surface.normals, kNormal, 3, layer.normals, GL_DYNAMIC_DRAW);
     fill(surface.colours, kColour, 3, layer.colours, GL_STATIC_DRAW);
-    fill(surface.cavity, kCavity, 1, layer.cavity, GL_STATIC_DRAW);
+    fill(surface.cavity, kCavity, 1, layer.cavity, GL_DYNAMIC_DRAW);
     fill(surface.uv, kUv, 2, layer.uv, GL_STATIC_DRAW);
     fill_indices(surface.indices, layer.indices);
     surface.count = static_cast<int>(layer.indices.size());
@@ -166,7 +166,7 @@ void Renderer::upload_fixed(Surface& surface, const SurfaceLayer& layer) {
 }
 
 void Renderer::upload_motion(const Surface& surface, const SurfaceLayer& layer) {
-    const auto refill = [](unsigned buffer, const FloatPoints& data) {
+    const auto refill = [](unsigned buffer, const auto& data) {
         if (buffer != 0 && data.size() > 0) {
             glBindBuffer(GL_ARRAY_BUFFER, buffer);
             glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)),
@@ -175,6 +175,7 @@ void Renderer::upload_motion(const Surface& surface, const SurfaceLayer& layer) 
     };
     refill(surface.positions, layer.positions);
     refill(surface.normals, layer.normals);
+    refill(surface.cavity, layer.cavity);  // wrinkles come and go
 }
 
 void Renderer::upload(Lines& lines, const LineLayer& layer) {

@@ -34,6 +34,7 @@ CaseState state_after(int gestures, Eigen::Index vertices) {
     state.rates["risorius.L"] = 1e-4 * gestures;
     state.strengths["risorius.R"] = 1.0 - 1e-4 * gestures;
     state.notes = "gesture " + std::to_string(gestures);
+    state.skin_age = 20.0 + gestures % 50;
     state.shape = Points::Zero(3, vertices);
     for (Eigen::Index v = 0; v < vertices; v += 3) {
         state.shape.col(v) << gestures, double(v), 0.5;
@@ -49,6 +50,7 @@ void expect_state(const CaseState& state, int gestures, Eigen::Index vertices) {
     EXPECT_EQ(state.rates, expected.rates);
     EXPECT_EQ(state.strengths, expected.strengths);
     EXPECT_EQ(state.notes, expected.notes);
+    EXPECT_EQ(state.skin_age, expected.skin_age);
     EXPECT_EQ(state.shape, expected.shape);
     EXPECT_EQ(state.protection, expected.protection);
     ASSERT_EQ(state.variants.size(), 1U);

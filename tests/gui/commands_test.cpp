@@ -57,6 +57,27 @@ TEST(SetMusclesCommand, LeavesNoStepWhenTheSliderComesBack) {
     EXPECT_EQ(d.document.undoStack()->count(), 0);
 }
 
+TEST(SetSkinAgeCommand, IsOneStepOfOneGestureAndIsKept) {
+    Document d;
+    const auto set = [&](double years, int gesture) {
+        d.document.undoStack()->push(
+            new SetSkinAgeCommand(d.document, years, gesture, QStringLiteral("x")));
+    };
+    EXPECT_EQ(d.document.skinAge(), kUsualSkin);
+    set(50, 1);
+    set(60, 1);
+    set(70, 2);
+    EXPECT_EQ(d.document.undoStack()->count(), 2);
+    EXPECT_EQ(d.document.state().skin_age, 70.0);
+    d.document.undoStack()->undo();
+    EXPECT_EQ(d.document.skinAge(), 60.0);
+    d.document.undoStack()->undo();
+    EXPECT_EQ(d.document.skinAge(), kUsualSkin);
+    set(50, 3);
+    set(kUsualSkin, 3);
+    EXPECT_EQ(d.document.undoStack()->index(), 0);
+}
+
 TEST(ReshapeCommand, SwapsTheMovedNodesOnly) {
     Document d;
     const Points before = d.document.skinRest();

@@ -5,7 +5,7 @@
 #include <QtTest>
 #include <gtest/gtest.h>
 
-#include "myoface/muscle/expression.h"
+#include "myoface/muscle/user_expressions.h"
 
 #include "landmark_guide.h"
 #include "layer_panel.h"
@@ -57,13 +57,14 @@ TEST(MusclePanel, OffersExpressions) {
     Panel p;
     std::vector<std::pair<std::string, double>> chosen;
     QObject::connect(&p.panel, &MusclePanel::expressionChosen,
-                     [&](const std::string& name, double left, double right, int) {
+                     [&](const std::string& name, double left, double right, int, bool fresh) {
                          EXPECT_EQ(left, right);
+                         EXPECT_EQ(fresh, chosen.empty());
                          chosen.emplace_back(name, left);
                      });
     auto* list = p.panel.findChild<QComboBox*>();
     ASSERT_NE(list, nullptr);
-    EXPECT_EQ(list->count(), static_cast<int>(expression_presets().size()) + 1);
+    EXPECT_GE(list->count(), static_cast<int>(expression_presets().size()) + 1);
     list->setCurrentIndex(1);
     Q_EMIT list->activated(1);
     ASSERT_EQ(chosen.size(), 1U);
@@ -76,6 +77,53 @@ TEST(MusclePanel, OffersExpressions) {
     }
     ASSERT_EQ(chosen.size(), 2U);
     EXPECT_DOUBLE_EQ(chosen[1].second, 0.3);
+    auto* letter = p.panel.findChild<QToolButton*>(QStringLiteral("intensityE"));
+    ASSERT_NE(letter, nullptr);
+    letter->click();
+    ASSERT_EQ(chosen.size(), 3U);
+    EXPECT_DOUBLE_EQ(chosen[2].second, 1.0);
+    EXPECT_TRUE(letter->isChecked());
+}
+
+TEST(MusclePanel, ListsPresetsOfTheUsersOwn) {
+    const test::TemporaryFolder folder;
+    qputenv("MYOFACE_EXPRESSIONS", QByteArray::fromStdString((folder / "own").string()));
+    std::vector<double> rates(muscle_atlas().size(), 0.0);
+    rates[3] = 0.7;
+    save_user_expression("Frau K. / Tag 3", rates);
+    MusclePanel panel;
+    auto* list = panel.findChild<QComboBox*>(QStringLiteral("expression"));
+    auto* remove = panel.findChild<QToolButton*>(QStringLiteral("removePreset"));
+    ASSERT_TRUE(list != nullptr && remove != nullptr);
+    const int at = list->findData(QStringLiteral("Frau K. / Tag 3"));
+    ASSERT_GT(at, 0);
+    EXPECT_FALSE(remove->isEnabled());
+    list->setCurrentIndex(at);
+    Q_EMIT list->activated(at);
+    EXPECT_TRUE(remove->isEnabled());
+    QString gone;
+    QObject::connect(&panel, &MusclePanel::expressionRemoveAsked,
+                     [&](const QString& name) { gone = name; });
+    remove->click();
+    EXPECT_EQ(gone, QStringLiteral("Frau K. / Tag 3"));
+    remove_user_expression(gone.toStdString());
+    panel.listExpressions();
+    EXPECT_LT(list->findData(gone), 0);
+    qunsetenv("MYOFACE_EXPRESSIONS");
+}
+
+TEST(MusclePanel, SaysTheAgeOfTheSkin) {
+    MusclePanel panel;
+    std::vector<double> years;
+    QObject::connect(&panel, &MusclePanel::skinAgeEdited,
+                     [&](double age, int) { years.push_back(age); });
+    panel.setSkinAge(62.0);
+    EXPECT_TRUE(years.empty());
+    auto* slider = panel.findChild<QSlider*>(QStringLiteral("skinAge"));
+    ASSERT_NE(slider, nullptr);
+    EXPECT_EQ(slider->value(), 62);
+    slider->setValue(70);
+    EXPECT_EQ(years, std::vector<double>{70.0});
 }
 
 TEST(LayerPanel, CutsTheSkinAway) {

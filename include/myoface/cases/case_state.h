@@ -9,6 +9,7 @@
 
 #include "myoface/face/face_model.h"
 #include "myoface/muscle/contraction.h"
+#include "myoface/muscle/wrinkle.h"
 #include "myoface/sim/plan_file.h"
 
 namespace myoface {
@@ -27,7 +28,8 @@ struct CaseState {
     Points shape;                                    ///< see shape_of_scan()
     Eigen::VectorXd protection;  ///< 0 … 1 per vertex that the scan came with, or nothing
     std::vector<Variant> variants;
-    std::string notes;  ///< UTF-8
+    double skin_age = kUsualSkin;  ///< of the skin that wrinkles [a]
+    std::string notes;             ///< UTF-8
     RecordedPlan plan;  ///< the edits that led here, as far as they were recorded
 };
 CaseState case_state(const FaceModel& face, const Contractions& contractions,

@@ -56,10 +56,29 @@ struct JawHinge {
     Vec3 axis = Vec3::UnitX();   ///< unit, to the patient's left
     Vec3 slide = Vec3::Zero();   ///< of the condyles at full opening [mm]
     double full_opening = 0.0;   ///< turn at full opening [rad]
+    Vec3 front = Vec3::UnitZ();  ///< unit, out of the face
+    double full_thrust = 6.0;    ///< [mm]
+    double full_turn = 0.09;     ///< about a condyle: some 8 mm at the chin [rad]
+    double to_condyle = 45.0;    ///< from the midline [mm]
 };
 
-/// A place of the mandible when the jaw is open by a share of its full opening.
-Vec3 opened(const JawHinge& hinge, double share, const Vec3& p);
+/// Where the mandible is: shares of its full ways, 0 at rest.
+struct JawPose {
+    double open = 0.0;
+    double thrust = 0.0;  ///< forward, 0 … 1
+    double left = 0.0;    ///< the chin to the patient's left, −1 … 1
+
+    JawPose() = default;
+    JawPose(double opening) : open(opening) {}  // a jaw that only opens
+    bool rests() const { return open == 0.0 && thrust == 0.0 && left == 0.0; }
+    bool operator==(const JawPose&) const = default;
+};
+/// On the way from one pose to another.
+JawPose between(const JawPose& from, const JawPose& to, double share);
+
+/// A place of the mandible: it opens, then goes forward, then turns about the condyle of the side
+/// that the chin goes to.
+Vec3 opened(const JawHinge& hinge, const JawPose& pose, const Vec3& p);
 
 /// The inside of a mouth: many scans have none.
 struct MouthLining {

@@ -22,7 +22,8 @@ enum class MuscleAction {
     CloseLids,  ///< lids slide along the eyeball until they meet
     RaiseLid,   ///< the upper lid slides up along the eyeball
     Bulge,      ///< the belly lifts the skin over it
-    OpenJaw     ///< the mandible turns about its hinge and takes the skin with it
+    OpenJaw,    ///< the mandible turns about its hinge and takes the skin with it
+    ShiftJaw    ///< its side of the mandible goes forward: both sides thrust the chin out
 };
 
 enum class Side { Middle, Left, Right };

@@ -11,6 +11,7 @@
 namespace myoface {
 
 struct FaceModel;
+struct JawPose;
 
 /// A rigid thing that skin cannot enter: a bone with its teeth, or an eyeball.
 struct Obstacle {
@@ -29,7 +30,7 @@ std::vector<Obstacle> obstacles_of(const FaceModel& face);
 /// Distance of every skin node from what is nearest among the face's obstacles [mm].
 Eigen::VectorXd obstacle_distances(const FaceModel& face);
 
-/// Where obstacles stand when the jaw is open by a share of its full opening: one motion each.
-std::vector<Eigen::Isometry3d> obstacle_poses(const FaceModel& face, double jaw_opening);
+/// Where obstacles stand in a pose of the jaw: one motion each.
+std::vector<Eigen::Isometry3d> obstacle_poses(const FaceModel& face, const JawPose& jaw);
 
 }  // namespace myoface

@@ -16,6 +16,8 @@ struct Contractions {
 };
 Contractions resting(const FaceModel& face);
 
+/// Where muscles have the jaw: opened, thrust forward by both lateral pterygoids, sideways by one.
+JawPose jaw_pose(const FaceModel& face, const Contractions& contractions);
 /// How far the jaw is open, as a share of its full opening.
 double jaw_opening(const FaceModel& face, const Contractions& contractions);
 
@@ -30,6 +32,7 @@ struct MuscleResponse {
     Eigen::VectorXd hold;    ///< 0 … 1: how firmly the target is held
     double firmness = 0.0;   ///< hold at 1, in tethers of a unit tie
     bool whole = false;      ///< carries skin and bone surface together: lids, jaw
+    bool jaw = false;        ///< moves the mandible
 };
 
 /// Responses of all muscles on the resting face. Always from rest: sums do not depend on the order

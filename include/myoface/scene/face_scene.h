@@ -39,7 +39,8 @@ public:
     void show_loose_parts(bool shown);
 
     /// The skin at another moment, as a picture that stays. @param nodes 3×nodes [mm]
-    std::unique_ptr<SceneData> still(const Points& nodes, double jaw) const;
+    std::unique_ptr<SceneData> still(const Points& nodes, const JawPose& jaw,
+                                     const Wrinkles& wrinkles = {}) const;
     /// Paints how far the skin has come out (orange) or gone in (blue) since `before`, along its
     /// normal there, up to `most` mm. @param before, now 3×nodes, the skin's first
     void tint_change(const Points& before, const Points& now, double most);
@@ -50,6 +51,8 @@ public:
 private:
     std::shared_ptr<const Image> picture() const;
     void show_skin(const SimSnapshot& snapshot);
+    void show_wrinkles(const SimSnapshot& snapshot, const Points& followed);
+    void shade_wrinkles(const Wrinkles& wrinkles);
     void show_bone();
     void make_mouth();
     void show_mouth(const TriangleMesh& bone);
@@ -70,7 +73,13 @@ private:
     std::unique_ptr<const Adjacency> bone_adjacency_;
     std::unique_ptr<const Adjacency> lining_adjacency_;
     std::vector<int> teeth_;  ///< bone vertices of the mouth layer; the lining's follow
-    double jaw_ = 0.0;
+    JawPose jaw_;
+    std::shared_ptr<const WrinkleMap> wrinkle_map_;
+    Points wrinkled_;              ///< 3×vertices with their wrinkles
+    std::vector<char> wrinkles_;   ///< per vertex: moved by wrinkles
+    Eigen::VectorXf rest_folds_;   ///< per drawn vertex: its cavity without wrinkles
+    Eigen::VectorXf shade_;        ///< per vertex: how deep in a furrow, 0 … 1
+    Eigen::VectorXd last_depths_;  ///< of the wrinkles that are shown
     SceneData scene_;
 };
 

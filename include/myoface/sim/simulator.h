@@ -9,6 +9,7 @@
 
 #include "myoface/drag/drag.h"
 #include "myoface/muscle/contraction.h"
+#include "myoface/muscle/wrinkle.h"
 #include "myoface/physics/implicit_motion.h"
 
 namespace myoface {
@@ -55,12 +56,20 @@ public:
 
     /// @param rate −0.5 … 1. @throws InvalidInput when out of range or not finite
     void set_contraction(int muscle, double rate);
+    /// All of them at once, in the atlas' order. @throws InvalidInput
+    void set_contractions(const std::vector<double>& rates);
     /// @param strength 0 … 1. @throws InvalidInput
     void set_strength(int muscle, double strength);
     const Contractions& contractions() const { return contractions_; }
     /// Another form of the linear muscles' response.
     void set_response(ResponseForm form);
     ResponseForm response() const { return options_.response; }
+
+    /// How old the skin is that wrinkles, in years. @throws InvalidInput when out of range
+    void set_skin_age(double years);
+    double skin_age() const { return skin_age_; }
+    /// The wrinkles of this moment; none while every muscle rests.
+    Wrinkles wrinkles() const;
 
     /// The skin as it rests: the scan plus what was shaped, 3×skin nodes [mm].
     const Points& skin_rest() const { return skin_rest_; }
@@ -102,7 +111,7 @@ public:
     /// Lets so much time go by, as live motion. @param seconds > 0
     StepReport live_on(double seconds);
 
-    /// 3×N of the scan [mm]: exactly the scan where nothing moved.
+    /// 3×N of the scan with its wrinkles [mm]: exactly the scan where nothing moved.
     Points scan_vertices() const;
     /// FNV-1a over the bits of all node positions.
     std::uint64_t state_hash() const;
@@ -126,6 +135,8 @@ private:
     std::unique_ptr<CoarseLevel> coarser_;
     std::unique_ptr<EquilibriumSolver> solver_;
     std::vector<MuscleResponse> responses_;
+    double skin_age_ = kUsualSkin;
+    mutable std::shared_ptr<const WrinkleMap> wrinkle_map_;  ///< made when it is first needed
     Contractions contractions_;
     Drive drive_;
     MassSpringState state_;

@@ -101,6 +101,18 @@ std::string text_of(const json& object, const char* key, const std::string& name
     return object[key].get<std::string>();
 }
 
+double skin_age_of(const json& object, const std::string& name) {
+    if (!object.contains("skin_age")) {
+        return kUsualSkin;
+    }
+    const json& value = object["skin_age"];
+    const double years = value.is_number() ? value.get<double>() : 0.0;
+    if (!(years >= kYoungestSkin && years <= kOldestSkin)) {
+        throw IoError(name + ": the skin's age is out of range.");
+    }
+    return years;
+}
+
 std::string variant_part(std::size_t number) {
     return "variant-" + std::to_string(number);
 }
@@ -171,6 +183,7 @@ StateParts to_parts(const CaseState& state) {
     object["contractions"] = state.rates;
     object["strengths"] = state.strengths;
     object["notes"] = state.notes;
+    object["skin_age"] = state.skin_age;
     object["variants"] = json::array();
     for (std::size_t i = 0; i < state.variants.size(); ++i) {
         const Variant& variant = state.variants[i];
@@ -207,6 +220,7 @@ CaseState from_parts(const std::string& json_text,
     state.rates = settings(object, "contractions", kLeastContraction, kMostContraction, name);
     state.strengths = settings(object, "strengths", 0.0, 1.0, name);
     state.notes = text_of(object, "notes", name);
+    state.skin_age = skin_age_of(object, name);
     state.shape = dense(part("shape"), vertices, name);
     const Points protection = dense(part("protection"), vertices, name);
     if (protection.cols() > 0) {

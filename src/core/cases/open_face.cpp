@@ -278,6 +278,7 @@ std::unique_ptr<Simulator> make_simulator(const OpenedFace& opened, const Simula
             simulator->set_strength(m, kept.strength[at]);
         }
     }
+    simulator->set_skin_age(state.skin_age);
     if (state.shape.cols() > 0) {
         simulator->set_skin_rest(shaped_skin(face, state.shape));
     }

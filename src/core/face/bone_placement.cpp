@@ -182,6 +182,10 @@ void place_skull(FaceModel& face, const std::function<Vec3(const Vec3&)>& from_g
     face.jaw.centre = 0.5 * (left + right);
     face.jaw.axis = (left - right).normalized();
     face.jaw.slide = face.axes * generic.slide / face.to_generic.scale;
+    const Vec3 front = face.axes.col(2);
+    face.jaw.front = (front - front.dot(face.jaw.axis) * face.jaw.axis).normalized();
+    face.jaw.full_thrust = generic.full_thrust / face.to_generic.scale;
+    face.jaw.to_condyle = 0.5 * (left - right).norm();
 
     const Vec3 eye = generic_eye_centre();
     face.eyes.resize(3, 2);

@@ -42,7 +42,8 @@ AtlasMuscle parse_muscle(const json& entry) {
         {"close_lids", MuscleAction::CloseLids},
         {"raise_lid", MuscleAction::RaiseLid},
         {"bulge", MuscleAction::Bulge},
-        {"open_jaw", MuscleAction::OpenJaw}};
+        {"open_jaw", MuscleAction::OpenJaw},
+        {"shift_jaw", MuscleAction::ShiftJaw}};
     AtlasMuscle muscle;
     MuscleTraits& t = muscle.traits;
     t.base_name = t.name = entry.at("id").get<std::string>();

@@ -300,7 +300,8 @@ void label_skin(FaceModel& face) {
                     share *= muscle.traits.kind == MuscleKind::Volume ? 0.3 : 0.6;
                 }
                 if (muscle.traits.action == MuscleAction::RaiseLid ||
-                    muscle.traits.action == MuscleAction::OpenJaw) {
+                    muscle.traits.action == MuscleAction::OpenJaw ||
+                    muscle.traits.action == MuscleAction::ShiftJaw) {
                     share *= 0.3;  // behind the lid, in the floor of the mouth
                 }
                 if (share > 0.0) {

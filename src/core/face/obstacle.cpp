@@ -86,14 +86,13 @@ Eigen::VectorXd obstacle_distances(const FaceModel& face) {
     return distances;
 }
 
-std::vector<Eigen::Isometry3d> obstacle_poses(const FaceModel& face, double jaw_opening) {
+std::vector<Eigen::Isometry3d> obstacle_poses(const FaceModel& face, const JawPose& jaw) {
     std::vector<Eigen::Isometry3d> poses(face.obstacles.size(), Eigen::Isometry3d::Identity());
-    for (std::size_t k = 0; k < poses.size() && jaw_opening > 0.0; ++k) {
+    for (std::size_t k = 0; k < poses.size() && !jaw.rests(); ++k) {
         if (face.obstacles[k].with_jaw) {
-            const Vec3 origin = opened(face.jaw, jaw_opening, Vec3::Zero());
+            const Vec3 origin = opened(face.jaw, jaw, Vec3::Zero());
             for (int axis = 0; axis < 3; ++axis) {
-                poses[k].linear().col(axis) =
-                    opened(face.jaw, jaw_opening, Vec3::Unit(axis)) - origin;
+                poses[k].linear().col(axis) = opened(face.jaw, jaw, Vec3::Unit(axis)) - origin;
             }
             poses[k].translation() = origin;
         }

@@ -16,6 +16,7 @@ constexpr double kLipSoftness = 1.5;  // of the border between the lips' zones [
 constexpr double kLidHold = 25.0;     // of lids, which lie on the eyeball and unroll
 constexpr double kMeeting = 0.12;     // where the lids meet, from the lower one's margin
 constexpr double kToNose = 1.5;       // way of closing lids towards the nose [mm]
+constexpr double kBeside = 0.6;       // where halves of a mouth's ring push forward, of its width
 constexpr double kMidlineFade = 9.0;  // a paired muscle ends this far across the midline [mm]
 
 double smooth_step(double edge0, double edge1, double x) {
@@ -81,6 +82,20 @@ SphincterZone sphincter_zone(const Muscle& muscle) {
     zone.across_high = turned ? muscle.traits.across_below : muscle.traits.across_above;
     zone.across_low = turned ? muscle.traits.across_above : muscle.traits.across_below;
     return zone;
+}
+
+/// A sphincter's way of one place. Halves of a mouth's ring draw towards its middle but push
+/// forward most at their own side, by the canine, where they come from the bone.
+Vec3 ring_response(const Muscle& muscle, SphincterZone zone, const Vec3& p) {
+    if (!muscle.traits.shares_mouth || muscle.traits.side == Side::Middle) {
+        return sphincter_response(zone, p);
+    }
+    SphincterZone beside = zone;
+    zone.forward = 0.0;
+    const double to_left = zone.wide.x() < 0.0 ? -1.0 : 1.0;
+    const double own = muscle.traits.side == Side::Left ? to_left : -to_left;
+    beside.centre += own * kBeside * muscle.half_width * zone.wide;
+    return sphincter_response(zone, p) + sphincter_response(beside, p).dot(zone.axis) * zone.axis;
 }
 
 /// What a muscle asks of one place of the skin.
@@ -178,13 +193,27 @@ Demand slide_lid(const FaceModel& face, int node, const MuscleTraits& traits) {
     return demand;
 }
 
-Demand open_jaw(const FaceModel& face, int node) {
+/// The skin's share of a motion of the mandible.
+Demand move_jaw(const FaceModel& face, int node, const JawPose& pose) {
     const double share = jaw_share(face.generic.col(node), face.lip_side[node]);
     const Vec3 p = face.skin.mesh.vertices.col(node);
     Demand demand;
-    demand.shift = share * (opened(face.jaw, 1.0, p) - p);
+    demand.shift = share * (opened(face.jaw, pose, p) - p);
     demand.hold = share;
     return demand;
+}
+
+/// Where one muscle alone has the jaw at full contraction: the right lateral pterygoid draws its
+/// side forward, and the chin goes to the left.
+JawPose full_jaw_pose(const MuscleTraits& traits) {
+    JawPose pose;
+    if (traits.action == MuscleAction::OpenJaw) {
+        pose.open = 1.0;
+    } else if (traits.action == MuscleAction::ShiftJaw) {
+        pose.thrust = 0.5;
+        pose.left = traits.side == Side::Right ? 1.0 : -1.0;
+    }
+    return pose;
 }
 
 }  // namespace
@@ -196,14 +225,21 @@ Contractions resting(const FaceModel& face) {
     return contractions;
 }
 
-double jaw_opening(const FaceModel& face, const Contractions& contractions) {
-    double sum = 0.0;
+JawPose jaw_pose(const FaceModel& face, const Contractions& contractions) {
+    JawPose pose;
     for (std::size_t m = 0; m < face.muscles.size(); ++m) {
-        if (face.muscles[m].traits.action == MuscleAction::OpenJaw) {
-            sum += contractions.rate[m] * contractions.strength[m];
-        }
+        const JawPose full = full_jaw_pose(face.muscles[m].traits);
+        const double c = std::max(0.0, contractions.rate[m] * contractions.strength[m]);
+        pose.open += c * full.open;
+        pose.thrust += c * full.thrust;
+        pose.left += c * full.left;
     }
-    return std::clamp(sum, 0.0, 1.0);
+    pose.open = std::min(pose.open, 1.0);
+    return pose;
+}
+
+double jaw_opening(const FaceModel& face, const Contractions& contractions) {
+    return jaw_pose(face, contractions).open;
 }
 
 std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSpringModel& model,
@@ -225,10 +261,11 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
                 }
             }
             MuscleResponse& response = responses[m];
-            response.whole = traits.action == MuscleAction::CloseLids ||
-                             traits.action == MuscleAction::RaiseLid ||
-                             traits.action == MuscleAction::OpenJaw;
-            const bool lid = response.whole && traits.action != MuscleAction::OpenJaw;
+            response.jaw =
+                traits.action == MuscleAction::OpenJaw || traits.action == MuscleAction::ShiftJaw;
+            const bool lid =
+                traits.action == MuscleAction::CloseLids || traits.action == MuscleAction::RaiseLid;
+            response.whole = lid || response.jaw;
             response.firmness = lid ? kLidHold : kHold;
             std::vector<Vec3> shifts;
             std::vector<double> heights;
@@ -240,8 +277,8 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
                 const Vec3 p = face.skin.mesh.vertices.col(i);
                 Demand demand;
                 if (response.whole) {
-                    demand = traits.action == MuscleAction::OpenJaw ? open_jaw(face, i)
-                                                                    : slide_lid(face, i, traits);
+                    demand = response.jaw ? move_jaw(face, i, full_jaw_pose(traits))
+                                          : slide_lid(face, i, traits);
                     if (face.tissue[i].fixed) {
                         demand = {};
                     }
@@ -252,7 +289,7 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
                         demand = bulge(muscle, p, share);
                     } else {
                         const Vec3 unit = !lines.empty() ? sheet_response(lines, p, form)
-                                                         : sphincter_response(ring, p);
+                                                         : ring_response(muscle, ring, p);
                         demand.shift = traits.gain * traits.pull * share * unit;
                         demand.hold = std::min(1.0, share * unit.norm());
                         if (lines.empty()) {
@@ -291,7 +328,11 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
     Drive drive;
     const int n = system.model.node_count();
     for (std::size_t m = 0; m < responses.size(); ++m) {
-        const double c = contractions.rate[m] * contractions.strength[m];
+        const MuscleResponse& response = responses[m];
+        double c = contractions.rate[m] * contractions.strength[m];
+        if (response.jaw) {
+            c = std::max(c, 0.0);  // teeth that meet go no further
+        }
         if (c == 0.0) {
             continue;
         }
@@ -302,7 +343,6 @@ Drive contraction_drive(const FaceMassSpring& system, const std::vector<MuscleRe
             drive.length_factor.assign(system.model.springs.size(), 1.0);
             drive.stiffness_factor.assign(system.model.springs.size(), 1.0);
         }
-        const MuscleResponse& response = responses[m];
         for (std::size_t k = 0; k < response.nodes.size(); ++k) {
             const auto column = static_cast<Eigen::Index>(k);
             const int i = response.nodes[k];

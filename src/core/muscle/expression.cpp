@@ -11,6 +11,7 @@
 #include "myoface/face/muscle_atlas.h"
 #include "myoface/io/text_file.h"
 #include "myoface/muscle/contraction.h"
+#include "myoface/muscle/user_expressions.h"
 
 namespace myoface {
 namespace {
@@ -27,7 +28,8 @@ void collect(const Table& table, const std::string& name, double intensity,
              std::map<int, double>& rates) {
     std::string unit = name;
     std::string side;
-    if (unit.ends_with(".L") || unit.ends_with(".R")) {
+    const bool own = table.action_units.count(name) > 0;  // one that says itself what a side means
+    if (!own && (unit.ends_with(".L") || unit.ends_with(".R"))) {
         side = unit.substr(unit.size() - 2);
         unit.resize(unit.size() - 2);
     }
@@ -89,8 +91,41 @@ const std::vector<Expression>& expression_presets() {
     return table().presets;
 }
 
+bool is_own_expression(const std::string& name) {
+    std::map<int, double> rates;
+    try {
+        collect(table(), name, 1.0, rates);
+        return true;
+    } catch (const InvalidInput&) {
+        return std::any_of(table().presets.begin(), table().presets.end(),
+                           [&](const Expression& preset) { return preset.name == name; });
+    }
+}
+
+char intensity_letter(double intensity) {
+    return intensity <= 0.0    ? ' '
+           : intensity <= 0.15 ? 'A'
+           : intensity <= 0.35 ? 'B'
+           : intensity <= 0.65 ? 'C'
+           : intensity <= 0.90 ? 'D'
+                               : 'E';
+}
+
+double intensity_of(char letter) {
+    return letter == 'A'   ? 0.1
+           : letter == 'B' ? 0.25
+           : letter == 'C' ? 0.5
+           : letter == 'D' ? 0.8
+                           : 1.0;
+}
+
 Expression expression_named(const std::string& name) {
     for (const Expression& preset : table().presets) {
+        if (preset.name == name) {
+            return preset;
+        }
+    }
+    for (const Expression& preset : user_expressions()) {
         if (preset.name == name) {
             return preset;
         }

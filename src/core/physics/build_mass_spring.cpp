@@ -269,6 +269,7 @@ private:
         // These act on the skin by what they do to lids and bone, not through their insertion.
         const bool passive = muscle.traits.action == MuscleAction::Bulge ||
                              muscle.traits.action == MuscleAction::OpenJaw ||
+                             muscle.traits.action == MuscleAction::ShiftJaw ||
                              muscle.traits.action == MuscleAction::RaiseLid;
         MuscleChain chain;
         chain.first_node = next;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "myoface/base/parallel.h"
 #include "myoface/mesh/normals.h"
 #include "myoface/scene/colour_map.h"
 #include "myoface/scene/muscle_drawing.h"
@@ -112,7 +113,7 @@ void FaceScene::show_mouth(const TriangleMesh& bone) {
     TriangleMesh lining = face_->mouth.mesh;
     for (int v = 0; v < lining.vertex_count(); ++v) {
         lining.vertices.col(v) =
-            opened(face_->jaw, jaw_ * face_->mouth.with_jaw[v], lining.vertices.col(v));
+            opened(face_->jaw, between({}, jaw_, face_->mouth.with_jaw[v]), lining.vertices.col(v));
     }
     const Points normals = vertex_normals(bone, *bone_adjacency_)(Eigen::all, teeth_);
     const Eigen::Index n = normals.cols() + lining.vertices.cols();
@@ -128,7 +129,7 @@ void FaceScene::show_bone() {
     TriangleMesh bone = face_->bone;
     for (int v = 0; v < bone.vertex_count(); ++v) {
         const BonePart part = face_->bone_part[static_cast<std::size_t>(v)];
-        if (jaw_ > 0.0 && (part == BonePart::Mandible || part == BonePart::LowerTeeth)) {
+        if (!jaw_.rests() && (part == BonePart::Mandible || part == BonePart::LowerTeeth)) {
             bone.vertices.col(v) = opened(face_->jaw, jaw_, bone.vertices.col(v));
         }
     }
@@ -140,7 +141,7 @@ void FaceScene::show_bone() {
 void FaceScene::show(const SimSnapshot& snapshot) {
     last_nodes_ = snapshot.positions;
     show_skin(snapshot);
-    if (snapshot.jaw != jaw_) {
+    if (!(snapshot.jaw == jaw_)) {
         jaw_ = snapshot.jaw;
         show_bone();
     }
@@ -155,8 +156,15 @@ void FaceScene::show(const SimSnapshot& snapshot) {
 
 void FaceScene::show_skin(const SimSnapshot& snapshot) {
     const Points& followed = following_->follow(snapshot.positions);
-    drawing_.move(scene_.skin, followed, following_->touched(), following_->normals());
-    if (snapshot.jaw != jaw_ && !face_->jaw_vertices.empty()) {
+    if (snapshot.wrinkles.map) {
+        wrinkle_map_ = snapshot.wrinkles.map;
+    }
+    if (wrinkle_map_) {
+        show_wrinkles(snapshot, followed);
+    } else {
+        drawing_.move(scene_.skin, followed, following_->touched(), following_->normals());
+    }
+    if (!(snapshot.jaw == jaw_) && !face_->jaw_vertices.empty()) {
         // Loose parts that hang on the mandible follow no node.
         if (turned_.cols() == 0) {
             turned_ = scan_->mesh.vertices;
@@ -169,6 +177,72 @@ void FaceScene::show_skin(const SimSnapshot& snapshot) {
             turned_.col(v) = opened(face_->jaw, snapshot.jaw, scan_->mesh.vertices.col(v));
         }
         drawing_.move(scene_.skin, turned_, turns_);
+    }
+}
+
+/// Less light reaches the bottom of a furrow.
+void FaceScene::shade_wrinkles(const Wrinkles& wrinkles) {
+    constexpr float kDeep = 0.9F;  // [mm]
+    constexpr float kDark = 0.6F;
+    if (rest_folds_.size() != scene_.skin.cavity.size()) {
+        rest_folds_ = scene_.skin.cavity;
+        shade_ = Eigen::VectorXf::Zero(scan_->mesh.vertices.cols());
+    }
+    const std::vector<int>& near = wrinkle_map_->vertices;
+    const Eigen::VectorXd heights =
+        wrinkles.none() ? Eigen::VectorXd::Zero(static_cast<Eigen::Index>(near.size()))
+                        : wrinkle_heights(wrinkles);
+    for (std::size_t k = 0; k < near.size(); ++k) {
+        const auto depth = -static_cast<float>(heights[static_cast<Eigen::Index>(k)]);
+        shade_[near[k]] = kDark * std::clamp(depth / kDeep, 0.0F, 1.0F);
+    }
+    parallel_for(drawing_.drawn_count(), 8192, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            const int v = drawing_.scan_vertex(i);
+            if (wrinkles_[static_cast<std::size_t>(v)] != 0) {
+                scene_.skin.cavity[i] = 1.0F - (1.0F - rest_folds_[i]) * (1.0F - shade_[v]);
+            }
+        }
+    });
+}
+
+/// What moved, with its wrinkles. Normals of wrinkled skin are taken from its triangles.
+void FaceScene::show_wrinkles(const SimSnapshot& snapshot, const Points& followed) {
+    const Wrinkles& wrinkles = snapshot.wrinkles;
+    const bool none = wrinkles.none();
+    const bool same =
+        last_depths_.size() == wrinkles.depth.size() && (none || last_depths_ == wrinkles.depth);
+    const bool other = none ? last_depths_.size() > 0 : !same;
+    std::vector<char> moved = following_->touched();
+    if (wrinkled_.cols() != followed.cols()) {
+        wrinkled_ = followed;
+    }
+    parallel_for(static_cast<int>(followed.cols()), 8192, [&](int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            if (moved[static_cast<std::size_t>(v)] != 0) {
+                wrinkled_.col(v) = followed.col(v);
+            }
+        }
+    });
+    const std::vector<int>& near = wrinkle_map_->vertices;
+    wrinkles_.assign(moved.size(), 0);
+    for (const int v : near) {
+        const auto at = static_cast<std::size_t>(v);
+        if (other || (moved[at] != 0 && !none)) {
+            wrinkles_[at] = 1;
+            moved[at] = 1;
+        }
+        wrinkled_.col(v) = followed.col(v);
+    }
+    add_wrinkles(*face_, wrinkles, snapshot.positions, wrinkled_);
+    last_depths_ = none ? Eigen::VectorXd() : wrinkles.depth;
+    if (other) {
+        shade_wrinkles(wrinkles);
+    }
+    const FloatPoints& normals = following_->normals();
+    drawing_.move(scene_.skin, wrinkled_, moved, normals);
+    if (normals.cols() > 0) {
+        drawing_.move(scene_.skin, wrinkled_, wrinkles_);
     }
 }
 
@@ -268,12 +342,14 @@ void FaceScene::tint(const Eigen::Matrix4Xf& of_vertices) {
     ++scene_.tint_version;
 }
 
-std::unique_ptr<SceneData> FaceScene::still(const Points& nodes, double jaw) const {
+std::unique_ptr<SceneData> FaceScene::still(const Points& nodes, const JawPose& jaw,
+                                            const Wrinkles& wrinkles) const {
     FaceScene other(scan_, texture_);
     other.set_face(face_, {}, {});
     SimSnapshot snapshot;
     snapshot.positions = nodes;
     snapshot.jaw = jaw;
+    snapshot.wrinkles = wrinkles;
     other.show(snapshot);
     other.scene_.skin.indices = scene_.skin.indices;  // loose parts as they are shown
     return std::make_unique<SceneData>(std::move(other.scene_));

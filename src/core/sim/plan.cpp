@@ -97,11 +97,7 @@ public:
         }
         std::vector<double> rates = simulator_.contractions().rate;
         add_expression(rates, expression_named(edit.expression), edit.intensity);
-        for (std::size_t m = 0; m < rates.size(); ++m) {
-            if (rates[m] != simulator_.contractions().rate[m]) {
-                simulator_.set_contraction(static_cast<int>(m), rates[m]);
-            }
-        }
+        simulator_.set_contractions(rates);
         settled_ = false;
     }
     void operator()(const DragEdit& drag) {

@@ -104,7 +104,7 @@ void Simulator::refresh_drive() {
     const int n = system_->model.node_count();
     drive_ = contraction_drive(*system_, responses_, contractions_);
     drive_.gravity = kUprightGravity;
-    drive_.obstacle_pose = obstacle_poses(*face_, jaw_opening(*face_, contractions_));
+    drive_.obstacle_pose = obstacle_poses(*face_, jaw_pose(*face_, contractions_));
     solver_->drive_changed();
     timed_ = false;
     // What is carried starts from where it is carried to: relaxation has the rest to do only.
@@ -145,11 +145,23 @@ void Simulator::refresh_drive() {
 }
 
 void Simulator::set_contraction(int muscle, double rate) {
-    if (!std::isfinite(rate) || rate < kLeastContraction || rate > kMostContraction) {
-        throw InvalidInput("The contraction of " + face_->muscles[muscle].traits.name +
-                           " must lie between -0.5 and 1.");
+    std::vector<double> rates = contractions_.rate;
+    rates[static_cast<std::size_t>(muscle)] = rate;
+    set_contractions(rates);
+}
+
+void Simulator::set_contractions(const std::vector<double>& rates) {
+    if (rates.size() != face_->muscles.size()) {
+        throw InvalidInput("The contractions to set belong to another atlas of muscles.");
     }
-    contractions_.rate[muscle] = rate;
+    for (std::size_t m = 0; m < rates.size(); ++m) {
+        if (!std::isfinite(rates[m]) || rates[m] < kLeastContraction ||
+            rates[m] > kMostContraction) {
+            throw InvalidInput("The contraction of " + face_->muscles[m].traits.name +
+                               " must lie between -0.5 and 1.");
+        }
+    }
+    contractions_.rate = rates;
     refresh_drive();
 }
 
@@ -160,6 +172,26 @@ void Simulator::set_strength(int muscle, double strength) {
     }
     contractions_.strength[muscle] = strength;
     refresh_drive();
+}
+
+void Simulator::set_skin_age(double years) {
+    if (!std::isfinite(years) || years < kYoungestSkin || years > kOldestSkin) {
+        throw InvalidInput("The skin's age must lie between 18 and 80 years.");
+    }
+    skin_age_ = years;
+}
+
+Wrinkles Simulator::wrinkles() const {
+    const Eigen::VectorXd drive = furrow_drive(*face_, contractions_);
+    if (drive.isZero(0.0)) {
+        return {wrinkle_map_, {}};
+    }
+    if (!wrinkle_map_) {
+        wrinkle_map_ = map_wrinkles(*face_);
+    }
+    return {wrinkle_map_,
+            furrow_depths(*wrinkle_map_, shortening(*wrinkle_map_, skin_rest_, state_.positions),
+                          drive, skin_age_)};
 }
 
 void Simulator::set_skin_rest(const Points& skin_rest) {
@@ -480,18 +512,30 @@ void Simulator::fill_motion(StepReport& report) const {
     }
 }
 
-Points scan_positions(const FaceModel& face, const Points& node_positions, double jaw) {
+SimSnapshot snapshot_of(const Simulator& simulator) {
+    SimSnapshot snapshot;
+    snapshot.positions = simulator.state().positions;
+    snapshot.rates = simulator.contractions().rate;
+    snapshot.jaw = jaw_pose(simulator.face(), simulator.contractions());
+    snapshot.wrinkles = simulator.wrinkles();
+    snapshot.dragging = simulator.dragging();
+    return snapshot;
+}
+
+Points scan_positions(const FaceModel& face, const Points& node_positions, const JawPose& jaw,
+                      const Wrinkles& wrinkles) {
     Points result = follow(face.skin, *face.adjacency, face.scan->mesh.vertices, node_positions);
-    for (const int v : jaw > 0.0 ? face.jaw_vertices : std::vector<int>()) {
+    add_wrinkles(face, wrinkles, node_positions, result);
+    for (const int v : !jaw.rests() ? face.jaw_vertices : std::vector<int>()) {
         result.col(v) = opened(face.jaw, jaw, result.col(v));
     }
     return result;
 }
 
 void write_face(const std::filesystem::path& file, const Scan& as_came, const FaceModel& face,
-                const Points& node_positions, double jaw) {
+                const Points& node_positions, const JawPose& jaw, const Wrinkles& wrinkles) {
     constexpr double kOpen = 0.5;  // [mm] between the lips
-    const Points vertices = scan_positions(face, node_positions, jaw);
+    const Points vertices = scan_positions(face, node_positions, jaw, wrinkles);
     const Eigen::Index own = as_came.mesh.vertices.cols();
     double gap = 0.0;
     for (const auto& [upper, lower] : face.lip_contacts) {
@@ -505,7 +549,7 @@ void write_face(const std::filesystem::path& file, const Scan& as_came, const Fa
 }
 
 Points Simulator::scan_vertices() const {
-    return scan_positions(*face_, state_.positions, jaw_opening(*face_, contractions_));
+    return scan_positions(*face_, state_.positions, jaw_pose(*face_, contractions_), wrinkles());
 }
 
 std::uint64_t Simulator::state_hash() const {

@@ -338,10 +338,25 @@ JawHinge generic_jaw_hinge() {
     return hinge;
 }
 
-Vec3 opened(const JawHinge& hinge, double share, const Vec3& p) {
+JawPose between(const JawPose& from, const JawPose& to, double share) {
+    JawPose pose;
+    pose.open = from.open + share * (to.open - from.open);
+    pose.thrust = from.thrust + share * (to.thrust - from.thrust);
+    pose.left = from.left + share * (to.left - from.left);
+    return pose;
+}
+
+Vec3 opened(const JawHinge& hinge, const JawPose& pose, const Vec3& p) {
     // The mouth opens downwards: a positive turn about the axis to the left.
-    const Eigen::AngleAxisd turn(share * hinge.full_opening, hinge.axis);
-    return hinge.centre + turn * (p - hinge.centre) + share * hinge.slide;
+    const Eigen::AngleAxisd turn(pose.open * hinge.full_opening, hinge.axis);
+    Vec3 at = hinge.centre + turn * (p - hinge.centre) + pose.open * hinge.slide;
+    if (pose.thrust == 0.0 && pose.left == 0.0) {
+        return at;
+    }
+    at += pose.thrust * hinge.full_thrust * hinge.front;
+    const Vec3 condyle = hinge.centre + std::copysign(hinge.to_condyle, pose.left) * hinge.axis;
+    const Eigen::AngleAxisd sideways(pose.left * hinge.full_turn, hinge.front.cross(hinge.axis));
+    return condyle + sideways * (at - condyle);
 }
 
 }  // namespace myoface
