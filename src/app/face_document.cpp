@@ -138,7 +138,7 @@ Plan FaceDocument::plan() const {
 }
 
 FaceEdits FaceDocument::edits() const {
-    return {m_model, m_contractions, m_skinRest, m_protection,         m_landmarks,
+    return {m_model, m_contractions, m_skinRest, m_protection,          m_landmarks,
             m_fit,   m_variants,     m_skinAge,  m_notes.toStdString(), plan()};
 }
 

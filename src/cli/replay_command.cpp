@@ -72,7 +72,7 @@ void run(const Arguments& a) {
     std::cerr << replay_in_words(done) << '\n';
     if (!a.output.empty()) {
         write_face(a.output, *opened.scan, face, simulator->state().positions,
-                   jaw_opening(face, simulator->contractions()));
+                   jaw_pose(face, simulator->contractions()), simulator->wrinkles());
     }
     CaseState state = state_of(*simulator, opened.state);
     Plan edits = plan_on(face, state.plan);

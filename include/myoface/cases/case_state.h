@@ -30,7 +30,7 @@ struct CaseState {
     std::vector<Variant> variants;
     double skin_age = kUsualSkin;  ///< of the skin that wrinkles [a]
     std::string notes;             ///< UTF-8
-    RecordedPlan plan;  ///< the edits that led here, as far as they were recorded
+    RecordedPlan plan;             ///< the edits that led here, as far as they were recorded
 };
 CaseState case_state(const FaceModel& face, const Contractions& contractions,
                      const Points& skin_rest);
