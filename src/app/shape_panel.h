@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include "myoface/sim/shaping.h"
+#include "myoface/sim/target.h"
 
 namespace myoface {
 

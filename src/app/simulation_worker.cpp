@@ -250,12 +250,16 @@ void SimulationWorker::meetTarget(const TargetRequest& request) {
             TargetEdit{request.measure.id, request.value, request.relative, request.radius}};
         const int decimals = request.measure.in_degrees() ? 1 : 2;
         const QString measure = inWords(request.measure.title);
+        QStringList moved;
+        for (const std::string& landmark : report.landmarks) {
+            moved += landmarkInWords(landmark);
+        }
         outcome.title = tr("%1 %2").arg(measure).arg(report.reached, 0, 'f', 1);
         outcome.words = tr("%1: %2 before, %3 now; %4 moved by %5 mm.")
                             .arg(measure)
                             .arg(report.before, 0, 'f', decimals)
                             .arg(report.reached, 0, 'f', decimals)
-                            .arg(landmarkInWords(report.landmark))
+                            .arg(moved.join(QStringLiteral(", ")))
                             .arg(report.moved_mm, 0, 'f', 1);
     });
 }

@@ -14,6 +14,7 @@
 #include "myoface/sim/plan_file.h"
 #include "myoface/sim/shaping.h"
 #include "myoface/sim/snapshot.h"
+#include "myoface/sim/target.h"
 
 namespace myoface {
 

@@ -78,7 +78,11 @@ nlohmann::ordered_json simulation_report(const Simulator& simulator, const PlanR
         json["volumes"].push_back(entry);
     }
     for (const TargetReport& target : plan.targets) {
-        json["targets"].push_back({{"landmark", target.landmark},
+        std::string moved;
+        for (const std::string& landmark : target.landmarks) {
+            moved += (moved.empty() ? "" : ", ") + landmark;
+        }
+        json["targets"].push_back({{"landmark", moved},
                                    {"before", target.before},
                                    {"wanted", target.wanted},
                                    {"reached", target.reached},

@@ -11,6 +11,7 @@
 #include "myoface/mesh/bvh.h"
 #include "myoface/mesh/normals.h"
 #include "myoface/sim/plan_file.h"
+#include "myoface/sim/target.h"
 
 #include "test_meshes.h"
 

@@ -24,6 +24,8 @@ struct DragRequest {
     double radius = 0.0;    ///< of the kernel [mm]; 0: by region (mouse), 12 (constraint)
     bool mirrored = false;  ///< the same on the other side of the face
     DragPath path = DragPath::Free;
+    double force_mN =
+        0.0;  ///< judging: pulls so hard towards the ray, however near; 0: as the hand
 };
 
 /// What became of a drag.
@@ -70,7 +72,8 @@ public:
     RelaxReport update(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
                        int iterations);
     /// Until at rest: for scripts, and when a gesture ends.
-    RelaxReport settle(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive);
+    RelaxReport settle(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
+                       double still_mm = RelaxOptions{}.still_mm);
 
     /// @param with_forces also the force along the view, which takes two passes over the model
     DragReport report(const MassSpringState& state, const Drive& drive, bool with_forces) const;
@@ -83,6 +86,7 @@ private:
         Grip grip;
         StressKernel kernel;        ///< on the skin
         StressKernel layer_kernel;  ///< on the muscle layer: wider, keener on labels
+        Points bulge;               ///< judging only: counter_bulge() of the kernel
         ViewRay ray;
         Vec3 start = Vec3::Zero();
         Vec3 normal = Vec3::UnitZ();  ///< of the skin, smoothed
@@ -99,6 +103,7 @@ private:
     void add_mirrored_hand();
     ViewRay mirrored(const ViewRay& ray) const;
     std::vector<Handle> handles() const;
+    Mat3 spread(const Hand& hand, std::size_t k) const;
     std::vector<HandPull> pulls() const;
     Drive with_first_stage(const Drive& drive) const;
     ViewRay guided(const Hand& hand, const ViewRay& ray) const;

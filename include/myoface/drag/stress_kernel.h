@@ -43,7 +43,9 @@ double kernel_radius(const FaceModel& face, const Grip& grip);
 /// lies under a node: the answer does not depend on the triangles. Nodes that do not move take no
 /// part.
 /// @param other_label how much longer a way over another label counts
+/// @param elongation how many times further it goes along the fibres of the muscles under the grip
+///        (around a sphincter) than across them. @see FibreWay
 StressKernel stress_kernel(const FaceModel& face, const Points& skin, const Grip& grip,
-                           double radius, double other_label = 1.8);
+                           double radius, double other_label = 1.8, double elongation = 1.0);
 
 }  // namespace myoface

@@ -25,6 +25,7 @@ struct HandPull {
     std::vector<double> grip_weights;  ///< sum to 1: the grabbed point
     std::vector<int> nodes;
     std::vector<double> weights;  ///< sum to 1: the stress kernel
+    std::vector<Mat3> spread;     ///< force of each node per force of the hand; empty: its weight
     Eigen::Matrix<double, 3, 2> plane;
     Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< the mouse in the plane [mm]
     double stiffness = 1000.0;                         ///< of the hand [mN/mm]
@@ -35,6 +36,11 @@ struct HandPull {
     std::vector<double> layer_weights;
     std::optional<Eigen::Vector2d> force;  ///< given instead of following the mouse [mN]
 };
+
+/// The part of a hand's force that its k-th kernel node takes, on the skin.
+inline Vec3 part_of(const HandPull& hand, std::size_t k, const Vec3& force) {
+    return hand.spread.empty() ? Vec3(hand.weights[k] * force) : Vec3(hand.spread[k] * force);
+}
 
 struct RelaxOptions {
     int iterations = 3000;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "myoface/sim/shaping.h"
+#include "myoface/sim/target.h"
 
 namespace myoface {
 

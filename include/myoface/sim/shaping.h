@@ -2,10 +2,7 @@
 #pragma once
 
 #include <map>
-#include <string>
-#include <vector>
 
-#include "myoface/measure/measurement.h"
 #include "myoface/sim/simulator.h"
 
 namespace myoface {
@@ -27,29 +24,5 @@ struct VolumeReport {
 /// the wanted volume; the shape stays. @throws InvalidInput when the skin cannot take so much, or
 /// the volume is not between -20 and 20 mL
 VolumeReport add_volume(Simulator& simulator, const VolumeRequest& request);
-
-/// A measure that is to become a number.
-struct TargetRequest {
-    Measure measure;
-    double value = 0.0;     ///< [mm] or [deg]
-    bool relative = false;  ///< value is a change
-    double radius = 0.0;    ///< of the grip [mm]; 0: by region
-};
-struct TargetReport {
-    std::string landmark;  ///< that was moved, without side
-    double before = 0.0, wanted = 0.0, reached = 0.0;
-    double moved_mm = 0.0;  ///< way of the landmark
-    double force_mN = 0.0;
-    int settles = 0;
-};
-/// One of all_measures() by id or title, in any case of letters. @throws InvalidInput that lists
-/// them
-Measure target_measure(const std::string& name);
-
-/// Moves a landmark of the measure, on both sides where it has two, the way that changes the
-/// measure most, until the measure is met; tissue follows as for a gesture, and the shape stays.
-/// The face is left as it was when that cannot be done.
-/// @throws InvalidInput that names the limit: bone, stretch of the skin, or folds
-TargetReport meet_target(Simulator& simulator, const TargetRequest& request);
 
 }  // namespace myoface

@@ -106,8 +106,8 @@ public:
 
     /// A bounded piece of work towards rest, for one frame.
     StepReport step(int iterations);
-    /// Until at rest.
-    StepReport settle();
+    /// Until at rest. @param still_mm a step below this counts as rest [mm]
+    StepReport settle(double still_mm = RelaxOptions{}.still_mm);
     /// Lets so much time go by, as live motion. @param seconds > 0
     StepReport live_on(double seconds);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <cstdlib>
@@ -37,6 +38,17 @@ struct Job {
         }
     }
 };
+
+using Clock = std::chrono::steady_clock;
+using Microseconds = std::chrono::duration<double, std::micro>;
+
+// When another program has the other processors, waiting for a worker that does not run costs more
+// than it brings: such a loop is done alone for a while, then company is tried again.
+constexpr double kLongWait = 150.0;    // [µs] for others, and …
+constexpr double kWaitOverWork = 1.0;  // … as long as the caller's own work
+constexpr double kUsuallyWaits = 0.4;  // share of a loop, on average
+constexpr double kMemory = 0.05;       // of that average, a loop
+constexpr std::chrono::microseconds kAlone{20'000};
 
 constexpr int kSpins = 2000;  // some 20 microseconds: a pass over 10k nodes follows the last one
 
@@ -80,6 +92,11 @@ public:
         job->grain = grain;
         job->chunks = (count + grain - 1) / grain;
         job->seats = threads - 1;
+        const Clock::time_point start = Clock::now();
+        if (start < alone_until_) {
+            job->work();
+            return;
+        }
         {
             const std::lock_guard lock(mutex_);
             job_ = job;
@@ -87,12 +104,25 @@ public:
         }
         wake_.notify_all();
         job->work();
+        const Clock::time_point own = Clock::now();
         while (job->done.load(std::memory_order_acquire) < job->chunks) {
             std::this_thread::yield();
         }
+        learn(Microseconds(own - start).count(), Clock::now() - own);
     }
 
 private:
+    /// From how long the caller worked and then waited in one loop: whether company pays.
+    void learn(double worked, Clock::duration waited) {
+        const double waiting = Microseconds(waited).count();
+        waiting_share_ += kMemory * (waiting / (worked + waiting + 1e-3) - waiting_share_);
+        if ((waiting > kLongWait && waiting > kWaitOverWork * worked) ||
+            waiting_share_ > kUsuallyWaits) {
+            alone_until_ = Clock::now() + kAlone;
+            waiting_share_ = 0.0;
+        }
+    }
+
     void serve() {
         std::uint64_t seen = 0;
         for (;;) {
@@ -121,6 +151,9 @@ private:
     std::shared_ptr<Job> job_;
     std::atomic<std::uint64_t> generation_{0};
     bool stop_ = false;
+    // Of the caller, one at a time.
+    Clock::time_point alone_until_{};
+    double waiting_share_ = 0.0;
 };
 
 int initial_threads() {

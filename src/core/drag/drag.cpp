@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "myoface/drag/counter_bulge.h"
 #include "myoface/physics/forces.h"
 
 namespace myoface {
@@ -15,6 +16,7 @@ constexpr double kLargestForce = 6000.0;   // [mN]
 constexpr double kMostHold = 100'000.0;    // in mouse priority [mN]: no skin is pulled into bone
 constexpr double kSecondStageLimit = 1.3;  // strain allowed in stage 2, of the region's limit
 constexpr double kLayerOtherLabel = 3.0;
+constexpr double kAlongFibres = 2.0;     // a stress goes so many times further than across
 constexpr double kJudgingRadius = 12.0;  // [mm]
 constexpr int kBisections = 7;
 constexpr int kSettleSweeps = 6000;
@@ -71,12 +73,18 @@ SkinDrag::Hand SkinDrag::make_hand(const SurfacePoint& where, const ViewRay& ray
     const double usual =
         request_.mode == DragMode::MousePriority ? kernel_radius(face_, hand.grip) : kJudgingRadius;
     const double radius = request_.radius > 0.0 ? request_.radius : usual;
-    hand.kernel = stress_kernel(face_, start_, hand.grip, radius);
-    hand.layer_kernel = stress_kernel(face_, start_, hand.grip, 2.0 * radius, kLayerOtherLabel);
+    const bool judging = request_.mode == DragMode::ConstraintPriority;
+    const double elongation = judging ? kAlongFibres : 1.0;
+    hand.kernel = stress_kernel(face_, start_, hand.grip, radius, 1.8, elongation);
+    hand.layer_kernel =
+        stress_kernel(face_, start_, hand.grip, 2.0 * radius, kLayerOtherLabel, elongation);
     for (StressKernel* kernel : {&hand.kernel, &hand.layer_kernel}) {
         if (yielding_.size() > 0) {
             spare(*kernel, yielding_);
         }
+    }
+    if (judging) {
+        hand.bulge = counter_bulge(face_, system_.model, start_, hand.kernel);
     }
     hand.start = grip_position(hand.grip, start_);
     hand.normal.setZero();
@@ -197,6 +205,13 @@ std::vector<Handle> SkinDrag::handles() const {
     return result;
 }
 
+/// The force of a kernel node per force of the hand: its share, and the push that keeps volume.
+Mat3 SkinDrag::spread(const Hand& hand, std::size_t k) const {
+    const auto node = static_cast<std::size_t>(hand.kernel.nodes[k]);
+    return hand.kernel.weights[k] * Mat3::Identity() +
+           face_.sliding[node].normal * hand.bulge.col(static_cast<Eigen::Index>(k)).transpose();
+}
+
 std::vector<HandPull> SkinDrag::pulls() const {
     std::vector<HandPull> result;
     for (const Hand& hand : hands_) {
@@ -205,12 +220,20 @@ std::vector<HandPull> SkinDrag::pulls() const {
         pull.grip_weights = hand.grip.weights;
         pull.nodes = hand.kernel.nodes;
         pull.weights = hand.kernel.weights;
+        for (std::size_t k = 0; k < pull.nodes.size(); ++k) {
+            pull.spread.push_back(spread(hand, k));
+        }
         pull.layer_nodes = hand.layer_kernel.nodes;
         pull.layer_weights = hand.layer_kernel.weights;
         pull.plane = view_plane(hand.ray.direction);
         pull.target = in_plane(hand.ray, hand.ray.origin);
         pull.stiffness = kHandStiffness;
         pull.largest = kLargestForce;
+        if (request_.force_mN > 0.0) {
+            const Eigen::Vector2d way = pull.target - in_plane(hand.ray, hand.start);
+            pull.force =
+                std::min(request_.force_mN, kLargestForce) / std::max(way.norm(), 1e-9) * way;
+        }
         pull.skin_share = second_stage_ ? 0.0 : skin_share_;
         pull.layer_share = second_stage_ ? layer_share_ : 0.0;
         result.push_back(std::move(pull));
@@ -342,7 +365,7 @@ Drive SkinDrag::with_first_stage(const Drive& drive) const {
     for (const Hand& hand : hands_) {
         for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
             loaded.load.col(hand.kernel.nodes[k]) +=
-                skin_share_ * hand.kernel.weights[k] * hand.skin_force;
+                skin_share_ * spread(hand, k) * hand.skin_force;
         }
     }
     return loaded;
@@ -442,8 +465,8 @@ RelaxReport SkinDrag::bisect_share(EquilibriumSolver& solver, MassSpringState& s
     return report;
 }
 
-RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state,
-                             const Drive& drive) {
+RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
+                             double still_mm) {
     if (request_.mode == DragMode::ConstraintPriority) {
         second_stage_ = false;
         layer_share_ = 0.0;
@@ -465,6 +488,7 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state,
         const double left = step_towards_ray(state);
         RelaxOptions options;
         options.iterations = left > 0.0 ? 20 : kSettleSweeps;
+        options.still_mm = still_mm;
         report = solver.relax(state, drive, options, handles());
         sweeps += report.iterations;
         take_forces(solver);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "myoface/drag/fibre_way.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/mesh/geodesic.h"
 
@@ -139,7 +140,7 @@ double in_common(const FaceModel& face, int node, const std::vector<double>& sha
 }  // namespace
 
 StressKernel stress_kernel(const FaceModel& face, const Points& skin, const Grip& grip,
-                           double radius, double other_label) {
+                           double radius, double other_label, double elongation) {
     std::vector<GeodesicSource> sources;
     const Vec3 centre = grip_position(grip, skin);
     for (const int node : grip.nodes) {
@@ -149,18 +150,23 @@ StressKernel stress_kernel(const FaceModel& face, const Points& skin, const Grip
     const auto weight = [&](int node) {
         return 1.0 + (other_label - 1.0) * (1.0 - in_common(face, node, under));
     };
+    const FibreWay fibres(face, grip, elongation);
     const TriangleMesh mesh{skin.leftCols(face.node_count()), face.skin.mesh.triangles};
     const std::vector<double> distance =
-        geodesic_distances(mesh, *face.adjacency, sources, radius,
+        geodesic_distances(mesh, *face.adjacency, sources, radius / fibres.least(),
                            other_label == 1.0 ? WayWeight{} : WayWeight(weight));
     StressKernel kernel;
     kernel.radius = radius;
     double sum = 0.0;
     for (int i = 0; i < face.node_count(); ++i) {
-        if (!(distance[i] < radius) || face.tissue[i].fixed) {
+        if (!(distance[i] * fibres.least() < radius) || face.tissue[i].fixed) {
             continue;
         }
-        const double share = 1.0 - distance[i] * distance[i] / (radius * radius);
+        const double counted = elongation == 1.0 ? distance[i] : distance[i] * fibres.factor(i);
+        if (!(counted < radius)) {
+            continue;
+        }
+        const double share = 1.0 - counted * counted / (radius * radius);
         const double w = share * share * face.area[i];
         kernel.nodes.push_back(i);
         kernel.weights.push_back(w);

@@ -186,7 +186,7 @@ void Relaxation::apply_pull(const RowPull& pull, bool layer) {
         if (!is_free(row)) {
             continue;
         }
-        const Vec3 part = hand.skin_share * hand.weights[k] * f;
+        const Vec3 part = hand.skin_share * part_of(hand, k, f);
         const Vec3 inner = of_row(last_force_, row);
         residual_ += (inner + part).squaredNorm() - inner.squaredNorm();
         const Vec3 kick = 2.0 / (of_row(mass_, row) * (2.0 + step_damping_)) * part;
@@ -244,7 +244,7 @@ void Relaxation::free_forces(const LargeArray<NodeRecord>& records, const Hands&
     for (const RowPull& pull : hands.pulls) {
         const Vec3 f = pull.hand->plane * pull_force(records, pull);
         for (std::size_t k = 0; k < pull.rows.size(); ++k) {
-            const Vec3 part = pull.hand->skin_share * pull.hand->weights[k] * f;
+            const Vec3 part = pull.hand->skin_share * part_of(*pull.hand, k, f);
             set_row(out, pull.rows[k], of_row(out, pull.rows[k]) + part);
         }
     }

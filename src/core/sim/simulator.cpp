@@ -343,7 +343,7 @@ StepReport Simulator::step(int iterations) {
     return report;
 }
 
-StepReport Simulator::settle() {
+StepReport Simulator::settle(double still_mm) {
     const auto start = std::chrono::steady_clock::now();
     stop_motion();
     StepReport report;
@@ -352,11 +352,12 @@ StepReport Simulator::settle() {
     } else {
         RelaxReport relaxed;
         if (drag_) {
-            relaxed = drag_->settle(*solver_, state_, drive_);
+            relaxed = drag_->settle(*solver_, state_, drive_, still_mm);
             report.drag = drag_->report(state_, drive_, true);
         } else {
             RelaxOptions options;
             options.iterations = kMostSweeps;
+            options.still_mm = still_mm;
             relaxed = solver_->relax(state_, drive_, options);
         }
         report.iterations = relaxed.iterations;
