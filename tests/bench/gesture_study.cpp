@@ -306,7 +306,7 @@ bool judge(const Named& subject) {
         const Vec3 beside = normal.cross(along);
         const Grip grip = grip_at(face, where);
         const StressKernel kernel =
-            stress_kernel(face, face.skin.mesh.vertices, grip, 12.0, 1.8, 2.0);
+            stress_kernel(face, face.skin.mesh.vertices, grip, 12.0, 1.8, 2.5);
         Points stress = Points::Zero(3, face.node_count());
         for (std::size_t k = 0; k < kernel.nodes.size(); ++k) {
             stress(0, kernel.nodes[k]) = kernel.profile[k];

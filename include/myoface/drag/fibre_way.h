@@ -12,7 +12,8 @@ namespace myoface {
 /// at rest, from the place of the grip on the nearest fibre; independent of the triangles.
 class FibreWay {
 public:
-    /// @param elongation how many times further along than across (≥ 1); across it stays as it is
+    /// @param elongation how many times further along than across (≥ 1); across it stays as it is.
+    ///        Around a ring, whose fibres bend away from the pull, a third of what is beyond 1
     FibreWay(const FaceModel& face, const Grip& grip, double elongation);
 
     /// What a way from the grip to a skin node counts, of its length.
@@ -26,6 +27,7 @@ private:
         bool closed = false;
         double share = 0.0;  ///< of the grip's muscles
         double start = 0.0;  ///< of the grip along it [mm]
+        double along = 1.0;  ///< what a way along it counts
     };
     const FaceModel& face_;
     Vec3 centre_;

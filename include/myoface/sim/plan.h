@@ -23,8 +23,10 @@ struct PlanPlace {
 
 /// A drag as a script gives it:
 /// "at=prn|vertex 3440|x,y,z; view=left|dx,dy,dz; move=RIGHT,UP; mode=mouse|constraint; radius=MM;
-///  mirror=0|1; path=free|normal|midplane; keep=0|1". Points are in the scan file's own unit and
-/// axes, moves in mm in the view's plane. A mouse drag always keeps its shape.
+///  mirror=0|1; path=free|normal|midplane; keep=0|1; force=N". Points are in the scan file's own
+///  unit and
+/// axes, moves in mm in the view's plane. A mouse drag always keeps its shape. With a force a
+/// constraint drag pulls that hard in the direction of the move, however long that is.
 struct DragEdit {
     std::string at = "prn";
     std::string view = "front";
@@ -34,6 +36,7 @@ struct DragEdit {
     bool mirrored = false;
     DragPath path = DragPath::Free;
     bool keep = false;               ///< of a constraint drag: the shape stays
+    double force_N = 0.0;            ///< of a constraint drag; 0: as hard as the hand is far
     std::optional<PlanPlace> place;  ///< wins over `at`
 };
 /// @throws InvalidInput saying which part is wrong

@@ -72,8 +72,9 @@ FibreWay::FibreWay(const FaceModel& face, const Grip& grip, double elongation)
     for (std::size_t m = 0; m < shares.size(); ++m) {
         const Muscle& muscle = face.muscles[m];
         if (shares[m] > 0.0 && muscle.path.cols() > 1) {
-            Line line{nearest_fibre(muscle, centre_), muscle.traits.kind == MuscleKind::Sphincter,
-                      shares[m], 0.0};
+            const bool ring = muscle.traits.kind == MuscleKind::Sphincter;
+            Line line{nearest_fibre(muscle, centre_), ring, shares[m], 0.0,
+                      ring ? 3.0 / (elongation + 2.0) : along_};
             line.start = along_line(line.points, line.closed, centre_);
             lines_.push_back(std::move(line));
         }
@@ -91,7 +92,7 @@ double FibreWay::factor(int node) const {
         }
         const double share = straight > 1e-9 ? std::min(1.0, gone / straight) : 0.0;
         const double square = share * share;
-        const double counts = std::sqrt(square * along_ * along_ + (1.0 - square));
+        const double counts = std::sqrt(square * line.along * line.along + (1.0 - square));
         result += line.share * (counts - 1.0);
     }
     return result;

@@ -111,6 +111,7 @@ public:
         request.radius = drag.radius;
         request.mirrored = drag.mirrored;
         request.path = drag.path;
+        request.force_mN = 1000.0 * drag.force_N;
         const ViewAxes view = view_axes(drag.view);
         ViewRay ray{position(now, request.where), view.forward};
         simulator_.begin_drag(request, ray);

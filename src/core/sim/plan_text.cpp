@@ -93,10 +93,18 @@ DragEdit parse_drag(const std::string& text) {
             drag.path = static_cast<DragPath>(path - kPaths.begin());
         } else if (key == "keep") {
             drag.keep = yes(key, value, wrong);
+        } else if (key == "force") {
+            if (!read_number(value, drag.force_N) || !(drag.force_N > 0.0) || drag.force_N > 6.0) {
+                wrong("force is a number of newtons above 0, at most 6.");
+            }
         } else if (!take_place(key, value, drag.radius, drag.mirrored, wrong)) {
-            wrong("'" + key + "' is not one of at, view, move, mode, radius, mirror, path, keep.");
+            wrong("'" + key +
+                  "' is not one of at, view, move, mode, radius, mirror, path, keep, force.");
         }
     });
+    if (drag.force_N > 0.0 && drag.mode == DragMode::MousePriority) {
+        throw InvalidInput("Drag '" + text + "': force goes with mode=constraint.");
+    }
     return drag;
 }
 
@@ -205,6 +213,10 @@ std::string drag_to_text(const DragEdit& drag) {
         text += kPaths[static_cast<std::size_t>(drag.path)];
     }
     text += drag.keep ? "; keep=1" : "";
+    if (drag.force_N > 0.0) {
+        text += "; force=";
+        append_number(text, drag.force_N);
+    }
     return text;
 }
 
