@@ -83,6 +83,9 @@ xvfb-run -a -s '-screen 0 1600x1000x24' "$bin/myoface" "$work/person.ply" --land
 window() { xvfb-run -a -s '-screen 0 1600x1000x24 -dpi 96' "$bin/myoface" "$@"; }
 window generic --size 1280x760 --language ja --theme light --step shape --screenshot $out/window-japanese.png
 
+window generic --size 1280x760 --views 4 --step shape --screenshot $out/window-views.png
+window generic --size 1280x760 --expression full_smile=1 --step shape --section ls --screenshot $out/window-section.png
+
 [ $# -ge 1 ] || exit 0
 scan=$1
 "$bin/myoface-cli" render "$scan" --size $size -o $out/scan-before.png

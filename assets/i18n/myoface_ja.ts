@@ -47,6 +47,17 @@
     </message>
 </context>
 <context>
+    <name>CliExport</name>
+    <message>
+        <source>%1 does not start: it writes the report and belongs beside this program.</source>
+        <translation>%1 が起動しません。報告書を書くプログラムで、このプログラムと同じ所に必要です。</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 は書き出されませんでした。</translation>
+    </message>
+</context>
+<context>
     <name>ComparePanel</name>
     <message>
         <source> mm</source>
@@ -113,6 +124,10 @@
         <translation>変化の色分け</translation>
     </message>
     <message>
+        <source>Map of the sides</source>
+        <translation>左右差のマップ</translation>
+    </message>
+    <message>
         <source>Millimetres of the last colour</source>
         <translation>最後の色に当たる mm</translation>
     </message>
@@ -123,6 +138,10 @@
     <message>
         <source>Open a scan of afterwards…</source>
         <translation>術後のスキャンを開く…</translation>
+    </message>
+    <message>
+        <source>Orange where a side stands out over the mirror image of the other, about this patient's own midplane, blue where it lies behind it</source>
+        <translation>この患者自身の正中面で鏡映した反対側より出ている所はオレンジ、引っ込んでいる所は青</translation>
     </message>
     <message>
         <source>Orange where the skin has come out, blue where it has gone in</source>
@@ -224,12 +243,20 @@
         <translation>案の名前を変更</translation>
     </message>
     <message>
+        <source>stands out +%1 mm</source>
+        <translation>突出 +%1 mm</translation>
+    </message>
+    <message>
         <source>untreated</source>
         <translation>治療前の強さ</translation>
     </message>
     <message>
         <source>variant %1</source>
         <translation>案 %1</translation>
+    </message>
+    <message>
+        <source>−%1 mm behind</source>
+        <translation>−%1 mm 後退</translation>
     </message>
     <message>
         <source>−%1 mm in</source>
@@ -243,16 +270,20 @@
         <translation>%1 は、ここで開いた後に別のプログラムかウィンドウで変更されています。</translation>
     </message>
     <message>
-        <source>%1: cannot be written.</source>
-        <translation>%1：書き込めません。</translation>
+        <source>A film or pictures all around the head</source>
+        <translation>頭部を一周する動画または画像</translation>
     </message>
     <message>
-        <source>A folder for pictures all around the head</source>
-        <translation>頭を一周する画像を入れるフォルダー</translation>
+        <source>A film or pictures from rest to the face as it is</source>
+        <translation>安静から今の顔までの動画または画像</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
+        <source>Cancelled; nothing was written.</source>
+        <translation>中止しました。何も書き出していません。</translation>
+    </message>
+    <message>
+        <source>Drawing the film</source>
+        <translation>動画を描画中</translation>
     </message>
     <message>
         <source>Export a picture</source>
@@ -269,6 +300,10 @@
     <message>
         <source>Faces (*.obj *.ply *.stl *.glb *.gltf *.myoface);;All files (*)</source>
         <translation>顔 (*.obj *.ply *.stl *.glb *.gltf *.myoface);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>GIF (*.gif);;Film (*.mp4);;Folder of PNG pictures (*)</source>
+        <translation>GIF (*.gif);;動画 (*.mp4);;PNG 画像のフォルダー (*)</translation>
     </message>
     <message>
         <source>Landmarks (*.json);;All files (*)</source>
@@ -311,6 +346,10 @@
         <translation>PNG (*.png)</translation>
     </message>
     <message>
+        <source>STL (*.stl)</source>
+        <translation>STL (*.stl)</translation>
+    </message>
+    <message>
         <source>Save as…</source>
         <translation>別名で保存…</translation>
     </message>
@@ -323,12 +362,24 @@
         <translation>保存しました：%1</translation>
     </message>
     <message>
-        <source>Turning the head…</source>
-        <translation>頭を回しています…</translation>
+        <source>Saving</source>
+        <translation>保存中</translation>
     </message>
     <message>
-        <source>Writing the report…</source>
-        <translation>報告書を作成中…</translation>
+        <source>Something is being written already; wait for it or cancel it.</source>
+        <translation>ほかの書き出しが進行中です。終わるまで待つか、中止してください。</translation>
+    </message>
+    <message>
+        <source>Writing the face</source>
+        <translation>顔を書き出し中</translation>
+    </message>
+    <message>
+        <source>Writing the picture</source>
+        <translation>画像を書き出し中</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>レポートを書き出し中</translation>
     </message>
     <message>
         <source>Written: %1</source>
@@ -601,6 +652,10 @@
         <translation>Myoface について(&amp;A)</translation>
     </message>
     <message>
+        <source>&amp;Cameras linked</source>
+        <translation>視点を連動(&amp;C)</translation>
+    </message>
+    <message>
         <source>&amp;Clinical light</source>
         <translation>臨床写真の光(&amp;C)</translation>
     </message>
@@ -619,6 +674,10 @@
     <message>
         <source>&amp;Find an action…</source>
         <translation>操作を探す(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Four: front, profile, three-quarter, from below</source>
+        <translation>4 画面：正面・側面・斜め・下から(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Front</source>
@@ -653,8 +712,16 @@
         <translation>組織の動き(&amp;M)</translation>
     </message>
     <message>
+        <source>&amp;Next: one, two, four</source>
+        <translation>次へ：1・2・4 画面(&amp;N)</translation>
+    </message>
+    <message>
         <source>&amp;Now alone</source>
         <translation>今の顔だけ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;One view</source>
+        <translation>1 画面(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -697,6 +764,10 @@
         <translation>揺れる：実際の速さ(&amp;S)</translation>
     </message>
     <message>
+        <source>&amp;Two: front and profile</source>
+        <translation>2 画面：正面と側面(&amp;T)</translation>
+    </message>
+    <message>
         <source>&amp;Undo</source>
         <translation>元に戻す(&amp;U)</translation>
     </message>
@@ -731,6 +802,10 @@
     <message>
         <source>A click adds the volume that the Shape panel says, under the skin</source>
         <translation>クリックした所の皮下に、「形」パネルの体積を加えます</translation>
+    </message>
+    <message>
+        <source>A click cuts the face level through the place; a line drawn across the face cuts along it</source>
+        <translation>クリックした点を通る水平断面。顔を横切る線を引くと、その線に沿って切ります</translation>
     </message>
     <message>
         <source>A planning and communication aid, not a medical device</source>
@@ -813,8 +888,12 @@
         <translation>計画を書き出す…</translation>
     </message>
     <message>
-        <source>Export turning pictures…</source>
-        <translation>一周する画像を書き出す…</translation>
+        <source>Export the e&amp;xpression moving…</source>
+        <translation>表情の動きを書き出す(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Export the head &amp;turning…</source>
+        <translation>頭部の回転を書き出す(&amp;T)…</translation>
     </message>
     <message>
         <source>Expression</source>
@@ -905,6 +984,10 @@
         <translation>後で</translation>
     </message>
     <message>
+        <source>One view, two, four, and one again</source>
+        <translation>1 画面、2 画面、4 画面、また 1 画面</translation>
+    </message>
+    <message>
         <source>Open &amp;landmarks…</source>
         <translation>特徴点を開く(&amp;L)…</translation>
     </message>
@@ -919,6 +1002,10 @@
     <message>
         <source>Opening</source>
         <translation>開いています</translation>
+    </message>
+    <message>
+        <source>Opening was cancelled.</source>
+        <translation>読み込みを中止しました。</translation>
     </message>
     <message>
         <source>Paper, pictures and files</source>
@@ -987,6 +1074,14 @@
     <message>
         <source>Scan</source>
         <translation>スキャン</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>断面</translation>
+    </message>
+    <message>
+        <source>Several &amp;views</source>
+        <translation>複数の画面(&amp;V)</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -1073,6 +1168,10 @@ Their true distance in mm (the iris is about 11.7 mm wide):</source>
     <message>
         <source>Turn</source>
         <translation>回す</translation>
+    </message>
+    <message>
+        <source>Turning, moving and zooming one view does the same to all</source>
+        <translation>1 つの画面の回転・移動・拡大が、すべての画面に伝わります</translation>
     </message>
     <message>
         <source>Turns the head until the mouse takes it</source>
@@ -1202,8 +1301,16 @@ norm %1 ± %2, z = %3
         <translation>基準</translation>
     </message>
     <message>
+        <source>Section</source>
+        <translation>断面</translation>
+    </message>
+    <message>
         <source>The norms cover 20 to 25 years and are held beyond</source>
         <translation>基準値は 20～25 歳のもので、それ以外の年齢では両端の値を使います</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>体積</translation>
     </message>
     <message>
         <source>Written: %1</source>
@@ -1650,22 +1757,11 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
     </message>
 </context>
 <context>
-    <name>ProfilePlot</name>
-    <message>
-        <source>20 mm</source>
-        <translation>20 mm</translation>
-    </message>
-    <message>
-        <source>Profile before and now</source>
-        <translation>前と現在の横顔</translation>
-    </message>
-    <message>
-        <source>The profile in the midplane: grey before, blue now</source>
-        <translation>正中面の横顔：灰色が前、青が現在</translation>
-    </message>
-</context>
-<context>
     <name>QObject</name>
+    <message>
+        <source>1, 2 or 4 sides of the face at once</source>
+        <translation>顔の 1・2・4 方向を同時に表示</translation>
+    </message>
     <message>
         <source>Facial surgery consultation simulator. A planning and communication aid, not a medical device.</source>
         <translation>顔面手術の説明用シミュレーター。計画と説明のための補助であり、医療機器ではありません。</translation>
@@ -1691,6 +1787,10 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
         <translation>3D 表示に必要な OpenGL 3.3 がこのコンピューターにありません。グラフィックスドライバーを入れるか更新してください。myoface-cli はそのまま使えます。</translation>
     </message>
     <message>
+        <source>a level cut through this landmark</source>
+        <translation>このランドマークを通る水平断面</translation>
+    </message>
+    <message>
         <source>dark or light</source>
         <translation>dark または light</translation>
     </message>
@@ -1711,8 +1811,8 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
         <translation>ウィンドウの大きさ [px]</translation>
     </message>
     <message>
-        <source>off, side, wipe, ghost or map</source>
-        <translation>off、side、wipe、ghost、map</translation>
+        <source>off, side, wipe, ghost, map or sides</source>
+        <translation>off、side、wipe、ghost、map、sides のいずれか</translation>
     </message>
     <message>
         <source>save the window as PNG and end</source>
@@ -1736,33 +1836,30 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
     </message>
 </context>
 <context>
-    <name>ReportExport</name>
-    <message>
-        <source>%1 does not start: it writes the report and belongs beside this program.</source>
-        <translation>%1 が起動しません。報告書を書くプログラムで、このプログラムと同じ所に必要です。</translation>
-    </message>
-    <message>
-        <source>The report was not written.</source>
-        <translation>報告書は書かれませんでした。</translation>
-    </message>
-</context>
-<context>
     <name>ReportPanel</name>
     <message>
-        <source>A folder with pictures all around the head, as PNG</source>
-        <translation>頭を一周する画像（PNG）のフォルダー</translation>
+        <source>A film all around the head: PNG pictures in a folder, or GIF or MP4 where ffmpeg or ImageMagick is installed</source>
+        <translation>頭部を一周する動画：フォルダー内の PNG 画像、または ffmpeg か ImageMagick があれば GIF・MP4</translation>
+    </message>
+    <message>
+        <source>A film from rest to the face as it is and back: PNG pictures, GIF or MP4</source>
+        <translation>安静から今の顔まで動いて戻る動画：PNG 画像、GIF、MP4</translation>
     </message>
     <message>
         <source>A planning and communication aid, not a medical device: what is shown is an estimate, not a promise of a result.</source>
         <translation>計画と説明のための補助であり、医療機器ではありません。表示は推定であり、結果を約束するものではありません。</translation>
     </message>
     <message>
-        <source>Anonymous: no skin texture, a bar over the eyes</source>
-        <translation>匿名：皮膚のテクスチャなし、目を隠す</translation>
+        <source>Anonymous: no skin texture, no name, a bar over the eyes</source>
+        <translation>匿名：皮膚の画像と名前なし、目に帯</translation>
     </message>
     <message>
         <source>Choose…</source>
         <translation>選ぶ…</translation>
+    </message>
+    <message>
+        <source>Expression moving…</source>
+        <translation>表情の動き…</translation>
     </message>
     <message>
         <source>Face as mesh…</source>
@@ -1771,6 +1868,10 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
     <message>
         <source>Facial simulation</source>
         <translation>顔面シミュレーション</translation>
+    </message>
+    <message>
+        <source>Head turning…</source>
+        <translation>頭部の回転…</translation>
     </message>
     <message>
         <source>Logo</source>
@@ -1785,8 +1886,8 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
         <translation>メモ</translation>
     </message>
     <message>
-        <source>OBJ, PLY, GLB, or STL for printing</source>
-        <translation>OBJ・PLY・GLB、または印刷用の STL</translation>
+        <source>OBJ, PLY, GLB, or STL for printing; anonymous: STL alone</source>
+        <translation>OBJ、PLY、GLB、3D プリント用の STL。匿名のときは STL だけ</translation>
     </message>
     <message>
         <source>Other files</source>
@@ -1823,10 +1924,6 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
     <message>
         <source>Title</source>
         <translation>表題</translation>
-    </message>
-    <message>
-        <source>Turning pictures…</source>
-        <translation>一周する画像…</translation>
     </message>
     <message>
         <source>Write the report (PDF)…</source>
@@ -2044,6 +2141,76 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
     <message>
         <source>up</source>
         <translation>上</translation>
+    </message>
+</context>
+<context>
+    <name>SectionPlot</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>A cut through the face: grey before, blue now; the grid is in millimetres</source>
+        <translation>顔の断面：灰色が前、青が今。方眼はミリメートル</translation>
+    </message>
+    <message>
+        <source>Section before and now</source>
+        <translation>前と今の断面</translation>
+    </message>
+</context>
+<context>
+    <name>SectionView</name>
+    <message>
+        <source>Apart by up to %1 mm</source>
+        <translation>差は最大 %1 mm</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Export the section</source>
+        <translation>断面を書き出す</translation>
+    </message>
+    <message>
+        <source>Free cut</source>
+        <translation>自由な断面</translation>
+    </message>
+    <message>
+        <source>Kind of section</source>
+        <translation>断面の種類</translation>
+    </message>
+    <message>
+        <source>Level cut</source>
+        <translation>水平断面</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>側貌</translation>
+    </message>
+    <message>
+        <source>The lines of the section in millimetres, for a spreadsheet</source>
+        <translation>断面の線をミリメートルで、表計算用に</translation>
+    </message>
+    <message>
+        <source>The plane does not meet the face.</source>
+        <translation>この面は顔と交わりません。</translation>
+    </message>
+    <message>
+        <source>Upright cut beside the midplane</source>
+        <translation>正中面に平行な縦断面</translation>
+    </message>
+    <message>
+        <source>With the tool Section (S), a click on the face says where it is cut; a line drawn across the face cuts along it</source>
+        <translation>断面ツール (S) で、顔のクリックした所を切ります。顔を横切る線を引くと、その線に沿って切ります</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>書き出しました：%1</translation>
     </message>
 </context>
 <context>
@@ -2269,6 +2436,25 @@ nothing worth mentioning</source>
     <message>
         <source>volume %1 mL</source>
         <translation>体積 %1 mL</translation>
+    </message>
+</context>
+<context>
+    <name>VolumePlot</name>
+    <message>
+        <source>Millilitres that came to each region since before, or went from it</source>
+        <translation>前に比べて各部位に増えた、または減ったミリリットル</translation>
+    </message>
+    <message>
+        <source>No volume has changed.</source>
+        <translation>体積の変化はありません。</translation>
+    </message>
+    <message>
+        <source>Volume by region</source>
+        <translation>部位ごとの体積</translation>
+    </message>
+    <message>
+        <source>in all %1 mL</source>
+        <translation>合計 %1 mL</translation>
     </message>
 </context>
 <context>
@@ -2670,12 +2856,24 @@ nothing worth mentioning</source>
         <translation>頬骨弓幅</translation>
     </message>
     <message>
+        <source>brow</source>
+        <translation>眉</translation>
+    </message>
+    <message>
         <source>canthal tilt</source>
         <translation>眼裂の傾き</translation>
     </message>
     <message>
+        <source>cheek</source>
+        <translation>頬</translation>
+    </message>
+    <message>
         <source>cheekbone arch</source>
         <translation>頬骨弓</translation>
+    </message>
+    <message>
+        <source>chin</source>
+        <translation>オトガイ</translation>
     </message>
     <message>
         <source>chin point</source>
@@ -2698,8 +2896,20 @@ nothing worth mentioning</source>
         <translation>鼻柱長</translation>
     </message>
     <message>
+        <source>comparing the sides</source>
+        <translation>左右を比較中</translation>
+    </message>
+    <message>
         <source>cutaneous lower lip height</source>
         <translation>下唇皮膚部の高さ</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>描画中</translation>
+    </message>
+    <message>
+        <source>ear</source>
+        <translation>耳</translation>
     </message>
     <message>
         <source>facial convexity</source>
@@ -2708,6 +2918,10 @@ nothing worth mentioning</source>
     <message>
         <source>facial height</source>
         <translation>顔の高さ</translation>
+    </message>
+    <message>
+        <source>forehead</source>
+        <translation>額</translation>
     </message>
     <message>
         <source>front</source>
@@ -2734,12 +2948,24 @@ nothing worth mentioning</source>
         <translation>下顎角</translation>
     </message>
     <message>
+        <source>jaw line</source>
+        <translation>フェイスライン</translation>
+    </message>
+    <message>
         <source>labial fissure width</source>
         <translation>口裂の幅</translation>
     </message>
     <message>
         <source>lip contact</source>
         <translation>唇の合わせ目</translation>
+    </message>
+    <message>
+        <source>lower lid</source>
+        <translation>下まぶた</translation>
+    </message>
+    <message>
+        <source>lower lip</source>
+        <translation>下唇</translation>
     </message>
     <message>
         <source>lower lip border</source>
@@ -2806,8 +3032,24 @@ nothing worth mentioning</source>
         <translation>鼻唇角</translation>
     </message>
     <message>
+        <source>neck</source>
+        <translation>頸部</translation>
+    </message>
+    <message>
         <source>norm: adults of European descent, 20 to 25 years; band: mean ± 2 sd</source>
         <translation>基準：ヨーロッパ系の成人、20～25 歳。帯：平均 ± 2 SD</translation>
+    </message>
+    <message>
+        <source>nose ala</source>
+        <translation>鼻翼</translation>
+    </message>
+    <message>
+        <source>nose dorsum</source>
+        <translation>鼻背</translation>
+    </message>
+    <message>
+        <source>nose sidewall</source>
+        <translation>鼻側壁</translation>
     </message>
     <message>
         <source>nose tip</source>
@@ -2820,6 +3062,10 @@ nothing worth mentioning</source>
     <message>
         <source>outer canthus</source>
         <translation>目尻</translation>
+    </message>
+    <message>
+        <source>packing</source>
+        <translation>圧縮中</translation>
     </message>
     <message>
         <source>palpebral fissure length</source>
@@ -2842,6 +3088,18 @@ nothing worth mentioning</source>
         <translation>横顔</translation>
     </message>
     <message>
+        <source>scalp</source>
+        <translation>頭皮</translation>
+    </message>
+    <message>
+        <source>settling</source>
+        <translation>形を落ち着かせています</translation>
+    </message>
+    <message>
+        <source>shading</source>
+        <translation>陰影を計算中</translation>
+    </message>
+    <message>
         <source>subnasal width</source>
         <translation>鼻翼基部の幅</translation>
     </message>
@@ -2860,6 +3118,14 @@ nothing worth mentioning</source>
     <message>
         <source>tragus</source>
         <translation>耳珠</translation>
+    </message>
+    <message>
+        <source>upper lid</source>
+        <translation>上まぶた</translation>
+    </message>
+    <message>
+        <source>upper lip</source>
+        <translation>上唇</translation>
     </message>
     <message>
         <source>upper lip border</source>
@@ -2884,6 +3150,10 @@ nothing worth mentioning</source>
     <message>
         <source>wing of the nose</source>
         <translation>鼻翼</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>書き出し中</translation>
     </message>
 </context>
 <context>
@@ -2923,6 +3193,761 @@ nothing worth mentioning</source>
     <message>
         <source>change</source>
         <translation>変化</translation>
+    </message>
+</context>
+<context>
+    <name>sentences</name>
+    <message>
+        <source>"%1" is damaged.</source>
+        <translation>「%1」が壊れています。</translation>
+    </message>
+    <message>
+        <source>"%1" is no text.</source>
+        <translation>「%1」がテキストではありません。</translation>
+    </message>
+    <message>
+        <source>"near" is not the name of a landmark.</source>
+        <translation>"near" がランドマークの名前ではありません。</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not a number.</source>
+        <translation>%1 %2 は数値ではありません。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be unpacked, the case is damaged.</source>
+        <translation>%1 を展開できません。症例ファイルが壊れています。</translation>
+    </message>
+    <message>
+        <source>%1 could not make it.</source>
+        <translation>%1 で作成できませんでした。</translation>
+    </message>
+    <message>
+        <source>%1 is larger than a case can hold.</source>
+        <translation>%1 が症例ファイルの上限を超えています。</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number.</source>
+        <translation>%1 が有限の数値ではありません。</translation>
+    </message>
+    <message>
+        <source>'%1' is an expression of the program: take another name.</source>
+        <translation>「%1」はプログラムの表情です。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>'%1' is no form of the response; known are %2.</source>
+        <translation>「%1」という応答の形はありません。使えるのは %2 です。</translation>
+    </message>
+    <message>
+        <source>'%1' is no place on the scan: give a landmark of its landmark file, "vertex N" or x,y,z.</source>
+        <translation>「%1」はスキャン上の位置ではありません。ランドマーク名、"vertex N"、または x,y,z で指定してください。</translation>
+    </message>
+    <message>
+        <source>'%1' is not a measure; known are %2.</source>
+        <translation>「%1」という計測項目はありません。使えるのは %2 です。</translation>
+    </message>
+    <message>
+        <source>'%1' is not of the form NAME=NUMBER.</source>
+        <translation>「%1」は NAME=NUMBER の形ではありません。</translation>
+    </message>
+    <message>
+        <source>A preset needs a name of at most 60 characters without '='.</source>
+        <translation>プリセットの名前は「=」を含まない 60 文字以内にしてください。</translation>
+    </message>
+    <message>
+        <source>A volume lies between -20 and 20 mL and is not 0.</source>
+        <translation>体積は −20〜20 mL で、0 以外にしてください。</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>中止しました。</translation>
+    </message>
+    <message>
+        <source>Drag '%1': force goes with mode=constraint.</source>
+        <translation>ドラッグ「%1」：force は mode=constraint のときだけ使えます。</translation>
+    </message>
+    <message>
+        <source>Edges of more than two triangles: %1. Left as they are.</source>
+        <translation>3 枚以上の三角形が共有する辺：%1。そのまま残します。</translation>
+    </message>
+    <message>
+        <source>Entries that are neither vertices nor faces: %1. They are not kept in what is written.</source>
+        <translation>頂点でも面でもない記述：%1。書き出すファイルには残りません。</translation>
+    </message>
+    <message>
+        <source>It has a place, but the plan does not say on which face it was made ("made_on").</source>
+        <translation>位置がありますが、どの顔で作られたか（"made_on"）が計画にありません。</translation>
+    </message>
+    <message>
+        <source>It is a shape without gestures, taken from a variant, which only goes onto the scan it was made on.</source>
+        <translation>案から取った形で操作の記録がないため、元のスキャンにしか適用できません。</translation>
+    </message>
+    <message>
+        <source>Its place lies %1 mm beside the skin of this face.</source>
+        <translation>位置がこの顔の皮膚から %1 mm 離れています。</translation>
+    </message>
+    <message>
+        <source>Left and right of the landmarks are swapped: _l must be the patient's own left.</source>
+        <translation>ランドマークの左右が逆です。_l は患者自身の左でなければなりません。</translation>
+    </message>
+    <message>
+        <source>Loose parts beside the largest one: %1. The face is fitted to the part that holds it; the others are shown and kept.</source>
+        <translation>最大の部分のほかに離れた部分：%1。顔を含む部分に適合し、ほかは表示して保持します。</translation>
+    </message>
+    <message>
+        <source>No process can be started for the import (too many open files).</source>
+        <translation>読み込み用のプロセスを開始できません（開いているファイルが多すぎます）。</translation>
+    </message>
+    <message>
+        <source>No temporary folder can be made in %1.</source>
+        <translation>%1 に一時フォルダーを作れません。</translation>
+    </message>
+    <message>
+        <source>No triangle has any area.</source>
+        <translation>面積のある三角形がありません。</translation>
+    </message>
+    <message>
+        <source>Target: %1 stays at %2 of %3: %4</source>
+        <translation>目標：%1 は %3 に対し %2 にとどまります：%4</translation>
+    </message>
+    <message>
+        <source>Target: landmarks of %1 are missing on this face.</source>
+        <translation>目標：この顔には %1 のランドマークがありません。</translation>
+    </message>
+    <message>
+        <source>Target: nothing of %1 can be moved.</source>
+        <translation>目標：%1 に動かせる点がありません。</translation>
+    </message>
+    <message>
+        <source>The age must lie between 3 and 100 years.</source>
+        <translation>年齢は 3〜100 歳にしてください。</translation>
+    </message>
+    <message>
+        <source>The asymmetry must lie between 0 and 3 mm.</source>
+        <translation>非対称の量は 0〜3 mm にしてください。</translation>
+    </message>
+    <message>
+        <source>The axes '%1' are not a turn: give three signed letters such as +x+y+z or +x-z+y that keep left and right apart.</source>
+        <translation>軸「%1」は回転を表しません。左右が入れ替わらない +x+y+z や +x-z+y のような符号付き 3 文字で指定してください。</translation>
+    </message>
+    <message>
+        <source>The contraction of %1 must lie between -0.5 and 1.</source>
+        <translation>%1 の収縮は −0.5〜1 にしてください。</translation>
+    </message>
+    <message>
+        <source>The contractions to set belong to another atlas of muscles.</source>
+        <translation>設定する収縮は別の筋アトラスのものです。</translation>
+    </message>
+    <message>
+        <source>The face shows too little of forehead and nasal root to lay a result on it.</source>
+        <translation>額と鼻根が十分に写っていないため、結果を重ねられません。</translation>
+    </message>
+    <message>
+        <source>The face would be %1 mm wide: give the right unit with --unit.</source>
+        <translation>顔の幅が %1 mm になります。正しい単位を指定してください（--unit）。</translation>
+    </message>
+    <message>
+        <source>The faces look inwards. Turned over for computing, kept in the file as they came.</source>
+        <translation>面が内向きです。計算では裏返し、ファイルでは元のまま残します。</translation>
+    </message>
+    <message>
+        <source>The kept shape does not belong to this scan.</source>
+        <translation>保存された形はこのスキャンのものではありません。</translation>
+    </message>
+    <message>
+        <source>The known distance '%1' is not of the form "from=PLACE; to=PLACE; mm=NUMBER".</source>
+        <translation>既知の距離「%1」は "from=PLACE; to=PLACE; mm=NUMBER" の形ではありません。</translation>
+    </message>
+    <message>
+        <source>The landmark %1 lies %2 mm away from the scan: do the landmarks belong to this file, in its own unit?</source>
+        <translation>ランドマーク %1 がスキャンから %2 mm 離れています。このファイルのランドマークで、単位は合っていますか？</translation>
+    </message>
+    <message>
+        <source>The landmarks all lie in one place or on one line.</source>
+        <translation>ランドマークがすべて 1 か所または 1 直線上にあります。</translation>
+    </message>
+    <message>
+        <source>The landmarks do not lie as on a face: they differ by %1 mm from an average face of the same size and pose.</source>
+        <translation>ランドマークの配置が顔らしくありません。同じ大きさと向きの平均顔から %1 mm ずれています。</translation>
+    </message>
+    <message>
+        <source>The landmarks do not suffice: a corner of each eye (en or ex), both mouth corners (ch_l, ch_r) and the nose (prn or sn) are needed.</source>
+        <translation>ランドマークが足りません。両目の目頭か目尻 (en または ex)、両口角 (ch_l, ch_r)、鼻 (prn または sn) が必要です。</translation>
+    </message>
+    <message>
+        <source>The midplane needs at least one landmark on both sides.</source>
+        <translation>正中面には左右のランドマークが少なくとも 1 組必要です。</translation>
+    </message>
+    <message>
+        <source>The number of vertices must lie between 3000 and 1000000.</source>
+        <translation>頂点数は 3000〜1000000 にしてください。</translation>
+    </message>
+    <message>
+        <source>The number of vertices to write differs from the scan's.</source>
+        <translation>書き出す頂点数がスキャンと異なります。</translation>
+    </message>
+    <message>
+        <source>The picture's side must lie between 64 and 8192 pixels.</source>
+        <translation>画像の一辺は 64〜8192 ピクセルにしてください。</translation>
+    </message>
+    <message>
+        <source>The program's own file %1 is missing; reinstall it or set MYOFACE_DATA to its folder.</source>
+        <translation>プログラムのファイル %1 がありません。再インストールするか、MYOFACE_DATA にそのフォルダーを設定してください。</translation>
+    </message>
+    <message>
+        <source>The result does not fit on forehead and nasal root of this face: %1 mm are left. Is it the same patient, and are its unit and landmarks right?</source>
+        <translation>結果がこの顔の額と鼻根に合いません（%1 mm の差）。同じ患者ですか？ 単位とランドマークは正しいですか？</translation>
+    </message>
+    <message>
+        <source>The result has no skin opposite the face.</source>
+        <translation>結果には、顔に向かい合う皮膚がありません。</translation>
+    </message>
+    <message>
+        <source>The result has too few landmarks in common with the face.</source>
+        <translation>結果と顔に共通するランドマークが足りません。</translation>
+    </message>
+    <message>
+        <source>The scan has too few triangles to be a face.</source>
+        <translation>スキャンの三角形が少なすぎて、顔とは言えません。</translation>
+    </message>
+    <message>
+        <source>The shape to set does not belong to this face.</source>
+        <translation>設定する形はこの顔のものではありません。</translation>
+    </message>
+    <message>
+        <source>The skin's age must lie between 18 and 80 years.</source>
+        <translation>皮膚の年齢は 18〜80 歳にしてください。</translation>
+    </message>
+    <message>
+        <source>The strength of %1 must lie between 0 and 1.</source>
+        <translation>%1 の筋力は 0〜1 にしてください。</translation>
+    </message>
+    <message>
+        <source>The stubble must lie between 0 and 1.</source>
+        <translation>ひげの量は 0〜1 にしてください。</translation>
+    </message>
+    <message>
+        <source>The texture %1 is not beside the file.</source>
+        <translation>テクスチャ %1 がファイルの横にありません。</translation>
+    </message>
+    <message>
+        <source>The two places of the known distance are the same.</source>
+        <translation>既知の距離の 2 点が同じ位置です。</translation>
+    </message>
+    <message>
+        <source>The unit '%1' is not one of m, dm, cm, mm, in or a number of millimetres.</source>
+        <translation>単位「%1」は m、dm、cm、mm、in、またはミリメートル数ではありません。</translation>
+    </message>
+    <message>
+        <source>There is no expression '%1'.</source>
+        <translation>「%1」という表情はありません。</translation>
+    </message>
+    <message>
+        <source>There is no expression '%1'; there are %2and action units such as AU12 or AU12.L.</source>
+        <translation>「%1」という表情はありません。使えるのは %2と AU12 や AU12.L のような動作単位です。</translation>
+    </message>
+    <message>
+        <source>There is no muscle '%1'; the nearest name is '%2' (with .L or .R for one side).</source>
+        <translation>「%1」という筋はありません。近い名前は「%2」です（片側は .L または .R）。</translation>
+    </message>
+    <message>
+        <source>There is no place for temporary files in %1.</source>
+        <translation>%1 に一時ファイルを置けません。</translation>
+    </message>
+    <message>
+        <source>There is no preset '%1' of your own.</source>
+        <translation>「%1」という自分のプリセットはありません。</translation>
+    </message>
+    <message>
+        <source>There is no tissue depth named '%1': thin, mean or heavy.</source>
+        <translation>「%1」という軟組織の厚さはありません：thin、mean、heavy。</translation>
+    </message>
+    <message>
+        <source>There is no vertex %1 (the scan has %2).</source>
+        <translation>頂点 %1 はありません（スキャンの頂点は %2 個）。</translation>
+    </message>
+    <message>
+        <source>There is no view '%1': use front, left, right, three-quarter-left, three-quarter-right, below, above or back.</source>
+        <translation>「%1」という視点はありません。front、left、right、three-quarter-left、three-quarter-right、below、above、back を使ってください。</translation>
+    </message>
+    <message>
+        <source>There is no weakening '%1'; there are %2, each also with .L or .R.</source>
+        <translation>「%1」という筋力低下はありません。使えるのは %2 で、それぞれ .L や .R も付けられます。</translation>
+    </message>
+    <message>
+        <source>This part of the face does not move: choose another place.</source>
+        <translation>顔のこの部分は動きません。別の場所を選んでください。</translation>
+    </message>
+    <message>
+        <source>This part of the face is protected: grip beside it.</source>
+        <translation>顔のこの部分は保護されています。その横をつかんでください。</translation>
+    </message>
+    <message>
+        <source>This part of the scan does not move: grip the face itself.</source>
+        <translation>スキャンのこの部分は動きません。顔をつかんでください。</translation>
+    </message>
+    <message>
+        <source>Too little of a face is left on this scan.</source>
+        <translation>このスキャンには顔がほとんど写っていません。</translation>
+    </message>
+    <message>
+        <source>Triangles that repeat another one: %1. Left out of computing, kept in the file.</source>
+        <translation>ほかと重複する三角形：%1。計算では除き、ファイルには残します。</translation>
+    </message>
+    <message>
+        <source>Triangles without area: %1. Left out of computing, kept in the file.</source>
+        <translation>面積のない三角形：%1。計算では除き、ファイルには残します。</translation>
+    </message>
+    <message>
+        <source>Triangles wound against their neighbours: %1. Turned over for computing, kept in the file as they came.</source>
+        <translation>隣と向きが逆の三角形：%1。計算では裏返し、ファイルでは元のまま残します。</translation>
+    </message>
+    <message>
+        <source>Vertices at the place of another one (texture seams): %1. Joined for computing, kept in the file.</source>
+        <translation>ほかと同じ位置の頂点（テクスチャの継ぎ目）：%1。計算ではまとめ、ファイルには残します。</translation>
+    </message>
+    <message>
+        <source>Vertices of no triangle with area: %1. Kept in the file.</source>
+        <translation>面積のある三角形に属さない頂点：%1。ファイルには残します。</translation>
+    </message>
+    <message>
+        <source>View '%1': the direction has no usable length.</source>
+        <translation>視点「%1」：方向の長さが使えません。</translation>
+    </message>
+    <message>
+        <source>What is to be protected does not belong to this face.</source>
+        <translation>保護する部分がこの顔のものではありません。</translation>
+    </message>
+    <message>
+        <source>a colour or texture coordinate is not a finite number.</source>
+        <translation>色またはテクスチャ座標が有限の数値ではありません。</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a finite number.</source>
+        <translation>座標が有限の数値ではありません。</translation>
+    </message>
+    <message>
+        <source>a face needs at least three corners.</source>
+        <translation>面には少なくとも 3 つの頂点が必要です。</translation>
+    </message>
+    <message>
+        <source>a facet has more than three vertices.</source>
+        <translation>4 つ以上の頂点を持つファセットがあります。</translation>
+    </message>
+    <message>
+        <source>a facet needs three vertices, this one has %1.</source>
+        <translation>ファセットには 3 つの頂点が必要ですが、%1 個しかありません。</translation>
+    </message>
+    <message>
+        <source>a film is a .gif, an .mp4, or a folder of PNG pictures.</source>
+        <translation>動画は .gif、.mp4、または PNG 画像のフォルダーです。</translation>
+    </message>
+    <message>
+        <source>a vertex needs three coordinates.</source>
+        <translation>頂点には 3 つの座標が必要です。</translation>
+    </message>
+    <message>
+        <source>a vertex needs three numbers.</source>
+        <translation>頂点には 3 つの数値が必要です。</translation>
+    </message>
+    <message>
+        <source>all vertices lie in one place, this is not a face.</source>
+        <translation>すべての頂点が 1 か所にあり、顔ではありません。</translation>
+    </message>
+    <message>
+        <source>assets/muscles.json: %1 has no path.</source>
+        <translation>assets/muscles.json：%1 に経路がありません。</translation>
+    </message>
+    <message>
+        <source>assets/norms.csv: '%1' is not a number.</source>
+        <translation>assets/norms.csv：「%1」は数値ではありません。</translation>
+    </message>
+    <message>
+        <source>assets/norms.csv: there is no kind of measure '%1'.</source>
+        <translation>assets/norms.csv：「%1」という計測の種類はありません。</translation>
+    </message>
+    <message>
+        <source>assets/tissue_depth.csv: '%1' is not a number.</source>
+        <translation>assets/tissue_depth.csv：「%1」は数値ではありません。</translation>
+    </message>
+    <message>
+        <source>cannot be encoded as PNG.</source>
+        <translation>PNG に変換できません。</translation>
+    </message>
+    <message>
+        <source>cannot be opened for reading.</source>
+        <translation>読み込み用に開けません。</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end.</source>
+        <translation>最後まで読み込めません。</translation>
+    </message>
+    <message>
+        <source>cannot be read: the file is damaged or asks for too much memory.</source>
+        <translation>読み込めません。ファイルが壊れているか、メモリーを使いすぎます。</translation>
+    </message>
+    <message>
+        <source>cannot be written (%1); is the folder there, writable and not full?</source>
+        <translation>書き込めません（%1）。フォルダーがあり、書き込み可能で、空きがあるか確かめてください。</translation>
+    </message>
+    <message>
+        <source>cannot be written.</source>
+        <translation>書き込めません。</translation>
+    </message>
+    <message>
+        <source>does not begin with 'ply', this is not a PLY file.</source>
+        <translation>'ply' で始まらないため、PLY ファイルではありません。</translation>
+    </message>
+    <message>
+        <source>face %1 %2 does not exist (the file has %3).</source>
+        <translation>面の %1 %2 は存在しません（ファイルには %3 個）。</translation>
+    </message>
+    <message>
+        <source>face %1 %2 is not a whole number.</source>
+        <translation>面の %1 %2 は整数ではありません。</translation>
+    </message>
+    <message>
+        <source>face %1 0 does not exist (the first one is 1).</source>
+        <translation>面の %1 0 は存在しません（最初は 1）。</translation>
+    </message>
+    <message>
+        <source>face %1 names vertex %2, the file has only %3.</source>
+        <translation>面 %1 が頂点 %2 を指していますが、ファイルには %3 個しかありません。</translation>
+    </message>
+    <message>
+        <source>face corner ends in %1.</source>
+        <translation>面の頂点の記述が %1 で終わっています。</translation>
+    </message>
+    <message>
+        <source>face normal %1 is not a whole number.</source>
+        <translation>面の法線 %1 は整数ではありません。</translation>
+    </message>
+    <message>
+        <source>has a coordinate beyond 1e9, this cannot be a face.</source>
+        <translation>1e9 を超える座標があり、顔ではありえません。</translation>
+    </message>
+    <message>
+        <source>has more '%1' elements than this program can hold.</source>
+        <translation>「%1」の要素がこのプログラムの上限を超えています。</translation>
+    </message>
+    <message>
+        <source>has more than 100000 edits.</source>
+        <translation>操作が 100000 を超えています。</translation>
+    </message>
+    <message>
+        <source>has more vertices or corners than this program can hold.</source>
+        <translation>頂点または面の頂点数がこのプログラムの上限を超えています。</translation>
+    </message>
+    <message>
+        <source>holds binary data where text is expected (is the file truncated?).</source>
+        <translation>テキストのはずの場所にバイナリデータがあります（ファイルが途中で切れていませんか？）。</translation>
+    </message>
+    <message>
+        <source>holds binary data, this is not an OBJ file.</source>
+        <translation>バイナリデータを含むため、OBJ ファイルではありません。</translation>
+    </message>
+    <message>
+        <source>holds no "landmarks" object.</source>
+        <translation>"landmarks" がありません。</translation>
+    </message>
+    <message>
+        <source>holds no landmark with a known name (prn, en_l, ch_r …).</source>
+        <translation>既知の名前のランドマーク (prn, en_l, ch_r …) がありません。</translation>
+    </message>
+    <message>
+        <source>holds no triangles.</source>
+        <translation>三角形がありません。</translation>
+    </message>
+    <message>
+        <source>holds no vertices, this is not a face scan.</source>
+        <translation>頂点がなく、顔のスキャンではありません。</translation>
+    </message>
+    <message>
+        <source>holds points but no faces; export the scan as a mesh.</source>
+        <translation>点だけで面がありません。スキャンをメッシュとして書き出してください。</translation>
+    </message>
+    <message>
+        <source>is empty.</source>
+        <translation>空のファイルです。</translation>
+    </message>
+    <message>
+        <source>is larger than this program can hold.</source>
+        <translation>このプログラムの上限を超える大きさです。</translation>
+    </message>
+    <message>
+        <source>is neither PNG nor JPEG.</source>
+        <translation>PNG でも JPEG でもありません。</translation>
+    </message>
+    <message>
+        <source>is no journal.</source>
+        <translation>作業記録ではありません。</translation>
+    </message>
+    <message>
+        <source>is none of OBJ, PLY, STL, glTF and GLB.</source>
+        <translation>OBJ、PLY、STL、glTF、GLB のいずれでもありません。</translation>
+    </message>
+    <message>
+        <source>is none of drag, volume, target, protect and shape, nor a muscle with a rate or strength, nor an expression with an intensity.</source>
+        <translation>drag、volume、target、protect、shape のいずれでもなく、rate や strength のある筋でも、intensity のある表情でもありません。</translation>
+    </message>
+    <message>
+        <source>is not a JSON file of landmarks.</source>
+        <translation>ランドマークの JSON ファイルではありません。</translation>
+    </message>
+    <message>
+        <source>is not a Myoface case (%1 is missing).</source>
+        <translation>Myoface の症例ファイルではありません（%1 がありません）。</translation>
+    </message>
+    <message>
+        <source>is not a Myoface case (it is not a zip archive).</source>
+        <translation>Myoface の症例ファイルではありません（zip 形式ではありません）。</translation>
+    </message>
+    <message>
+        <source>is not a plan: a JSON object with a list "plan" is needed.</source>
+        <translation>計画ではありません。リスト "plan" を持つ JSON が必要です。</translation>
+    </message>
+    <message>
+        <source>is not a plan: it is not JSON.</source>
+        <translation>計画ではありません（JSON ではありません）。</translation>
+    </message>
+    <message>
+        <source>is not a plan: its "format" is another one.</source>
+        <translation>計画ではありません（"format" が異なります）。</translation>
+    </message>
+    <message>
+        <source>is not a readable JPEG.</source>
+        <translation>読み込める JPEG ではありません。</translation>
+    </message>
+    <message>
+        <source>is not a readable PNG (%1).</source>
+        <translation>読み込める PNG ではありません（%1）。</translation>
+    </message>
+    <message>
+        <source>is not a regular file.</source>
+        <translation>通常のファイルではありません。</translation>
+    </message>
+    <message>
+        <source>is not an object.</source>
+        <translation>オブジェクトではありません。</translation>
+    </message>
+    <message>
+        <source>is protected by a passphrase, which is needed to open it.</source>
+        <translation>パスフレーズで保護されており、開くにはそれが必要です。</translation>
+    </message>
+    <message>
+        <source>is protected by another passphrase than this one.</source>
+        <translation>別のパスフレーズで保護されています。</translation>
+    </message>
+    <message>
+        <source>is truncated: it promises %1 triangles and holds %2.</source>
+        <translation>途中で切れています。三角形 %1 枚のはずが %2 枚しかありません。</translation>
+    </message>
+    <message>
+        <source>is truncated: the header promises %1 '%2' elements, the file is too short for them.</source>
+        <translation>途中で切れています。ヘッダーでは「%2」が %1 個ありますが、ファイルが短すぎます。</translation>
+    </message>
+    <message>
+        <source>its "%1" is not three numbers of millimetres.</source>
+        <translation>"%1" がミリメートルの 3 つの数値ではありません。</translation>
+    </message>
+    <message>
+        <source>its "schema" is no whole number from 1.</source>
+        <translation>"schema" が 1 以上の整数ではありません。</translation>
+    </message>
+    <message>
+        <source>its manifest has no such schema as %1.</source>
+        <translation>目録の版 %1 は存在しません。</translation>
+    </message>
+    <message>
+        <source>its manifest is damaged ("%1" is no text).</source>
+        <translation>目録が壊れています（「%1」がテキストではありません）。</translation>
+    </message>
+    <message>
+        <source>its manifest is damaged.</source>
+        <translation>目録が壊れています。</translation>
+    </message>
+    <message>
+        <source>its materials are damaged.</source>
+        <translation>材質の情報が壊れています。</translation>
+    </message>
+    <message>
+        <source>its place has no triangle: take the place away and write "at=prn" instead.</source>
+        <translation>位置に三角形がありません。位置を消して "at=prn" と書いてください。</translation>
+    </message>
+    <message>
+        <source>its place is not on a triangle: weights are not negative and sum to 1.</source>
+        <translation>位置が三角形上にありません。重みは負でなく、合計が 1 です。</translation>
+    </message>
+    <message>
+        <source>its settings are damaged.</source>
+        <translation>設定が壊れています。</translation>
+    </message>
+    <message>
+        <source>its shape does not move vertices by [number, x, y, z].</source>
+        <translation>形が [番号, x, y, z] の形式で頂点を動かしていません。</translation>
+    </message>
+    <message>
+        <source>its shape has an impossible number of vertices.</source>
+        <translation>形の頂点数がありえない数です。</translation>
+    </message>
+    <message>
+        <source>its shape is neither "scan" nor {"vertices", "moved"}.</source>
+        <translation>形が "scan" でも {"vertices", "moved"} でもありません。</translation>
+    </message>
+    <message>
+        <source>its unit is not one of m, dm, cm, mm, in or a number above 0.</source>
+        <translation>単位が m、dm、cm、mm、in、または 0 より大きい数値ではありません。</translation>
+    </message>
+    <message>
+        <source>its unit or axes are damaged.</source>
+        <translation>単位または軸の情報が壊れています。</translation>
+    </message>
+    <message>
+        <source>its variants are damaged.</source>
+        <translation>案の情報が壊れています。</translation>
+    </message>
+    <message>
+        <source>its vertices have no x, y and z.</source>
+        <translation>頂点に x、y、z がありません。</translation>
+    </message>
+    <message>
+        <source>landmark '%1' is not finite.</source>
+        <translation>ランドマーク「%1」が有限の数値ではありません。</translation>
+    </message>
+    <message>
+        <source>landmark '%1' is not three numbers.</source>
+        <translation>ランドマーク「%1」が 3 つの数値ではありません。</translation>
+    </message>
+    <message>
+        <source>no face was found on it; put a landmark file beside it.</source>
+        <translation>顔が見つかりませんでした。ランドマークのファイルを横に置いてください。</translation>
+    </message>
+    <message>
+        <source>no face was found on this scan by its shape; give a landmark file with --landmarks, or place the points in the window.</source>
+        <translation>このスキャンの形からは顔が見つかりませんでした。ランドマークのファイルを開くか、画面で点を置いてください。</translation>
+    </message>
+    <message>
+        <source>no journal can be kept there%1; changes to this face are safe only once the case is saved.</source>
+        <translation>作業記録を残せません%1。この顔の変更は、症例を保存するまで守られません。</translation>
+    </message>
+    <message>
+        <source>no program that makes %1 is installed (%2); give a folder instead, for PNG pictures.</source>
+        <translation>%1 を作るプログラム (%2) がありません。代わりにフォルダーを指定すると PNG 画像を書き出します。</translation>
+    </message>
+    <message>
+        <source>reading glTF needs the program myoface-import, which is not installed beside this one.</source>
+        <translation>glTF の読み込みに必要な myoface-import がこのプログラムの横にありません。</translation>
+    </message>
+    <message>
+        <source>takes longer to read than %1 seconds; it was given up.</source>
+        <translation>読み込みに %1 秒以上かかるため、中断しました。</translation>
+    </message>
+    <message>
+        <source>texture coordinate is not a usable number.</source>
+        <translation>テクスチャ座標が使える数値ではありません。</translation>
+    </message>
+    <message>
+        <source>the PLY header counts a list with a number that is not whole.</source>
+        <translation>PLY ヘッダーのリスト数が整数ではありません。</translation>
+    </message>
+    <message>
+        <source>the PLY header gives '%1' a second time.</source>
+        <translation>PLY ヘッダーに「%1」が 2 回あります。</translation>
+    </message>
+    <message>
+        <source>the PLY header gives no usable count for element %1.</source>
+        <translation>PLY ヘッダーの要素 %1 の個数が使えません。</translation>
+    </message>
+    <message>
+        <source>the PLY header has a property before any element.</source>
+        <translation>PLY ヘッダーで要素の前にプロパティがあります。</translation>
+    </message>
+    <message>
+        <source>the PLY header has no end (is the file truncated?).</source>
+        <translation>PLY ヘッダーに終わりがありません（ファイルが途中で切れていませんか？）。</translation>
+    </message>
+    <message>
+        <source>the PLY header has the element %1 twice.</source>
+        <translation>PLY ヘッダーに要素 %1 が 2 回あります。</translation>
+    </message>
+    <message>
+        <source>the PLY header has the property %1 twice.</source>
+        <translation>PLY ヘッダーにプロパティ %1 が 2 回あります。</translation>
+    </message>
+    <message>
+        <source>the PLY header names no format.</source>
+        <translation>PLY ヘッダーに形式がありません。</translation>
+    </message>
+    <message>
+        <source>the PLY header names the unknown format %1.</source>
+        <translation>PLY ヘッダーの形式 %1 は未知です。</translation>
+    </message>
+    <message>
+        <source>the PLY header names the unknown type %1.</source>
+        <translation>PLY ヘッダーの型 %1 は未知です。</translation>
+    </message>
+    <message>
+        <source>the file ends within a facet (is it truncated?).</source>
+        <translation>ファセットの途中でファイルが終わっています（途中で切れていませんか？）。</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made.</source>
+        <translation>フォルダーを作れません。</translation>
+    </message>
+    <message>
+        <source>the import gave back something that is not a mesh.</source>
+        <translation>読み込みの結果がメッシュではありません。</translation>
+    </message>
+    <message>
+        <source>the import program %1 cannot be started.</source>
+        <translation>読み込みプログラム %1 を開始できません。</translation>
+    </message>
+    <message>
+        <source>the journal is damaged.</source>
+        <translation>作業記録が壊れています。</translation>
+    </message>
+    <message>
+        <source>the picture is larger than 16384 pixels.</source>
+        <translation>画像が 16384 ピクセルを超えています。</translation>
+    </message>
+    <message>
+        <source>the setting of %1 is out of range.</source>
+        <translation>%1 の設定が範囲外です。</translation>
+    </message>
+    <message>
+        <source>the shape of the skin belongs to a larger scan.</source>
+        <translation>皮膚の形が、もっと大きなスキャンのものです。</translation>
+    </message>
+    <message>
+        <source>the shape of the skin is damaged.</source>
+        <translation>皮膚の形の情報が壊れています。</translation>
+    </message>
+    <message>
+        <source>the skin's age is out of range.</source>
+        <translation>皮膚の年齢が範囲外です。</translation>
+    </message>
+    <message>
+        <source>there is no such file.</source>
+        <translation>そのファイルはありません。</translation>
+    </message>
+    <message>
+        <source>this computer's libzip cannot encrypt; save without a passphrase.</source>
+        <translation>このコンピューターの libzip は暗号化できません。パスフレーズなしで保存してください。</translation>
+    </message>
+    <message>
+        <source>was written by a newer Myoface; apply it with that one.</source>
+        <translation>新しい版の Myoface で書かれています。その版で適用してください。</translation>
+    </message>
+    <message>
+        <source>was written by a newer Myoface; open it with that one.</source>
+        <translation>新しい版の Myoface で書かれています。その版で開いてください。</translation>
+    </message>
+    <message>
+        <source>what it protects is out of range.</source>
+        <translation>保護部分の情報が範囲外です。</translation>
+    </message>
+    <message>
+        <source>write to a name that ends in .obj, .ply, .stl or .glb.</source>
+        <translation>.obj、.ply、.stl、.glb のいずれかで終わる名前で書き出してください。</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,10 @@
 
 #include <new>
 
+#include <QCoreApplication>
+
+#include "myoface/base/error.h"
+
 namespace myoface {
 
 BackgroundJob::BackgroundJob(QObject* parent)
@@ -16,6 +20,9 @@ void BackgroundJob::start() {
     m_thread.reset(QThread::create([this] {
         try {
             run();
+        } catch (const Cancelled& word) {
+            m_cancelled = true;
+            m_problem = QString::fromUtf8(word.what());
         } catch (const std::bad_alloc&) {
             m_problem = tr("There is not enough memory for this.");
         } catch (const std::exception& error) {
@@ -31,6 +38,18 @@ void BackgroundJob::stop() {
         m_progress.cancel();
         m_thread->wait();
     }
+}
+
+void BackgroundJob::leave() {
+    disconnect(this, nullptr, nullptr, nullptr);
+    cancel();
+    if (m_thread && !m_thread->isFinished()) {
+        connect(m_thread.get(), &QThread::finished, this, &QObject::deleteLater);
+    }
+    if (!m_thread || m_thread->isFinished()) {  // also when it ended just now
+        deleteLater();
+    }
+    setParent(QCoreApplication::instance());  // which waits for it when the program ends
 }
 
 }  // namespace myoface

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QObject>
@@ -21,6 +22,9 @@ public:
 
     void start();
     void cancel() { m_progress.cancel(); }
+    bool cancelled() const { return m_cancelled; }
+    /// Goes on by itself until it notices that it was cancelled, and then away: see retire().
+    void leave();
     /// Empty when all went well.
     const QString& problem() const { return m_problem; }
 
@@ -41,7 +45,31 @@ protected:
 
 private:
     QString m_problem;
+    bool m_cancelled = false;
     std::unique_ptr<QThread> m_thread;
+};
+
+/// Gives a job up without waiting for it.
+template <typename Job>
+void retire(std::unique_ptr<Job>& job) {
+    if (job) {
+        job.release()->leave();
+    }
+}
+
+/// Work with a file, as a function that may throw.
+class FileJob final : public BackgroundJob {
+    Q_OBJECT
+
+public:
+    explicit FileJob(std::function<void(const Progress&)> work, QObject* parent = nullptr)
+        : BackgroundJob(parent), m_work(std::move(work)) {}
+    ~FileJob() override { stop(); }
+
+private:
+    void run() override { m_work(m_progress); }
+
+    std::function<void(const Progress&)> m_work;
 };
 
 }  // namespace myoface

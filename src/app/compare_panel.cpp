@@ -58,6 +58,17 @@ QWidget* ComparePanel::viewGroup() {
     map->addWidget(m_map, 1);
     map->addWidget(m_most);
     form->addRow(map);
+    m_sides = new QRadioButton(tr("Map of the sides"));
+    m_sides->setToolTip(tr(
+        "Orange where a side stands out over the mirror image of the other, about this patient's "
+        "own midplane, blue where it lies behind it"));
+    form->addRow(m_sides);
+    m_sidesWords = new QLabel;
+    m_sidesWords->setObjectName(QStringLiteral("sides"));
+    m_sidesWords->setTextFormat(Qt::RichText);
+    m_sidesWords->setWordWrap(true);
+    m_sidesWords->hide();
+    form->addRow(m_sidesWords);
     m_modes.front()->setChecked(true);
     m_share = new QSlider(Qt::Horizontal);
     m_share->setRange(0, 100);
@@ -74,6 +85,7 @@ QWidget* ComparePanel::viewGroup() {
     connect(m_reference, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
             [this](int row) { Q_EMIT referenceChosen(row - 1); });
     connect(m_map, &QRadioButton::toggled, this, &ComparePanel::edited);
+    connect(m_sides, &QRadioButton::toggled, this, &ComparePanel::edited);
     connect(m_most, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
             &ComparePanel::edited);
     connect(m_share, &QSlider::valueChanged, this, [this](int value) {
@@ -154,6 +166,11 @@ void ComparePanel::setMode(CompareMode mode) {
 
 void ComparePanel::setShare(double share) {
     m_share->setValue(static_cast<int>(100.0 * share + 0.5));
+}
+
+void ComparePanel::setSidesWords(const QString& words) {
+    m_sidesWords->setText(words);
+    m_sidesWords->setVisible(!words.isEmpty());
 }
 
 void ComparePanel::setActualWords(const QString& words) {

@@ -28,6 +28,9 @@ public:
     void setMode(CompareMode mode);
     bool map() const { return m_map->isChecked(); }
     void setMap(bool on) { m_map->setChecked(on); }
+    /// How far one side stands out over the mirror image of the other.
+    bool sides() const { return m_sides->isChecked(); }
+    void setSides(bool on) { m_sides->setChecked(on); }
     double mapMillimetres() const { return m_most->value(); }
     /// Share of the change that is shown, 0 … 1.
     double share() const { return m_share->value() / 100.0; }
@@ -35,6 +38,8 @@ public:
     /// What the face is compared with: -1 the scan, else a variant.
     int reference() const { return m_reference->currentIndex() - 1; }
     void setReference(int variant) { m_reference->setCurrentIndex(variant + 1); }
+    /// Numbers of the map of the sides; empty: none.
+    void setSidesWords(const QString& words);
     /// Numbers of the comparison with an actual result; empty: none.
     void setActualWords(const QString& words);
 
@@ -53,7 +58,8 @@ private:
     QWidget* actualGroup();
 
     std::vector<QRadioButton*> m_modes;
-    QRadioButton* m_map = nullptr;
+    QRadioButton *m_map = nullptr, *m_sides = nullptr;
+    QLabel* m_sidesWords = nullptr;
     QDoubleSpinBox* m_most = nullptr;
     QSlider* m_share = nullptr;
     QLabel* m_shareText = nullptr;

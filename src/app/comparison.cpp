@@ -41,8 +41,12 @@ Wrinkles between(const Wrinkles& from, const Wrinkles& to, double share) {
 Comparison::Comparison(FaceDocument& document, FaceView& view, ComparePanel& panel, QObject* parent)
     : QObject(parent), m_document(document), m_view(view), m_panel(panel) {
     connect(&panel, &ComparePanel::edited, this, [this] {
-        if (m_panel.map()) {
+        if (m_panel.map() || m_panel.sides()) {
             m_actual.reset();
+        }
+        if (!m_panel.sides()) {
+            m_panel.setSidesWords({});
+            m_sidesOf.resize(3, 0);
         }
         updateView();
         Q_EMIT changed();
@@ -99,14 +103,19 @@ void Comparison::setScene(FaceScene* scene) {
     m_before.reset();
     m_beforeJaw = {};
     m_beforeWrinkles = {};
-    m_settling.reset();
-    m_comparing.reset();
+    retire(m_settling);
+    retire(m_comparing);
+    retire(m_comparingSides);
+    retire(m_drawing);
     m_actual.reset();
+    m_sides.resize(0);
+    m_sidesOf.resize(3, 0);
     m_stale = true;
     if (std::exchange(m_untreated, false)) {
         Q_EMIT untreatedChanged(false);
     }
     m_panel.setActualWords({});
+    m_panel.setSidesWords({});
     m_panel.setEnabled(scene != nullptr && m_document.model() != nullptr);
     m_panel.setVariants(m_document.variants());
     if (scene == nullptr) {
@@ -153,6 +162,20 @@ bool Comparison::paint(const SimSnapshot& shown) {
             const double d = m_actual->distance[i];
             if (std::isfinite(d)) {
                 tint.col(i) = signed_tint(d / m_panel.mapMillimetres());
+            }
+        }
+        m_scene->tint_nodes(tint);
+        return true;
+    }
+    if (m_panel.sides()) {
+        const Points nodes = shown.positions.leftCols(m_document.model()->node_count());
+        if (nodes.cols() != m_sidesOf.cols() || nodes != m_sidesOf) {
+            compareSides(nodes);
+        }
+        Eigen::Matrix4Xf tint = Eigen::Matrix4Xf::Zero(4, m_sides.size());
+        for (Eigen::Index i = 0; i < m_sides.size(); ++i) {
+            if (std::isfinite(m_sides[i])) {
+                tint.col(i) = signed_tint(m_sides[i] / m_panel.mapMillimetres());
             }
         }
         m_scene->tint_nodes(tint);
@@ -206,13 +229,33 @@ QString Comparison::beforeTitle() const {
         .arg(QString::fromStdString(variants[static_cast<std::size_t>(m_panel.reference())].name));
 }
 
+void Comparison::compareSides(const Points& nodes) {
+    if (m_comparingSides) {
+        return;  // looks again when it is done
+    }
+    m_comparingSides = std::make_unique<SidesJob>(m_document.model(), nodes);
+    connect(m_comparingSides.get(), &SidesJob::finished, this, &Comparison::sidesCompared);
+    m_comparingSides->start();
+}
+
+void Comparison::sidesCompared() {
+    const std::unique_ptr<SidesJob> job = std::move(m_comparingSides);
+    if (!job->problem().isEmpty() || !m_panel.sides()) {
+        return;
+    }
+    m_sidesOf = job->nodes();
+    m_sides = job->result();
+    m_panel.setSidesWords(regionTable(job->regions()));
+    Q_EMIT changed();
+}
+
 void Comparison::choose(int variant) {
     if (std::exchange(m_untreated, false)) {
         Q_EMIT untreatedChanged(false);
     }
     const auto& variants = m_document.variants();
     if (variant < 0 || variant >= static_cast<int>(variants.size()) || !m_document.model()) {
-        m_settling.reset();
+        retire(m_settling);
         m_before.reset();
         m_beforeJaw = {};
         m_beforeWrinkles = {};
@@ -221,6 +264,7 @@ void Comparison::choose(int variant) {
         Q_EMIT changed();
         return;
     }
+    retire(m_settling);
     m_settling = std::make_unique<SettleJob>(
         m_document.model(), variants[static_cast<std::size_t>(variant)], m_document.skinAge());
     connect(m_settling.get(), &SettleJob::finished, this, &Comparison::settled);
@@ -230,7 +274,7 @@ void Comparison::choose(int variant) {
 void Comparison::settled() {
     const std::unique_ptr<SettleJob> job = std::move(m_settling);
     if (!job->problem().isEmpty()) {
-        Q_EMIT problem(job->problem());
+        Q_EMIT problem(inWords(job->problem().toStdString()));
         return;
     }
     m_before = job->result().positions;
@@ -275,6 +319,7 @@ void Comparison::openActual(const QString& path) {
         return;
     }
     m_panel.setActualWords(tr("Laying %1 on the face…").arg(QFileInfo(path).fileName()));
+    retire(m_comparing);
     m_comparing = std::make_unique<ActualJob>(m_document.model(), m_now->positions, path);
     connect(m_comparing.get(), &ActualJob::finished, this, &Comparison::compared);
     m_comparing->start();
@@ -283,7 +328,7 @@ void Comparison::openActual(const QString& path) {
 void Comparison::compared() {
     const std::unique_ptr<ActualJob> job = std::move(m_comparing);
     if (!job->problem().isEmpty()) {
-        m_panel.setActualWords(job->problem().toHtmlEscaped());
+        m_panel.setActualWords(inWords(job->problem().toStdString()).toHtmlEscaped());
         return;
     }
     m_panel.setMode(CompareMode::Off);
@@ -292,11 +337,18 @@ void Comparison::compared() {
     QString words = tr("<p>%1, laid on forehead and nasal root (%2 mm left)</p>")
                         .arg(QFileInfo(job->path()).fileName().toHtmlEscaped(),
                              locale.toString(m_actual->registration_mm, 'f', 2));
-    words += QStringLiteral(
-                 "<table cellspacing=4><tr><td></td><td>%1</td><td>%2</td><td>%3</td>"
-                 "</tr>")
-                 .arg(tr("mean"), tr("90 %"), tr("&lt; 2 mm"));
-    for (const RegionDistance& row : m_actual->regions) {
+    m_panel.setActualWords(words + regionTable(m_actual->regions));
+    updateView();
+    Q_EMIT changed();
+}
+
+QString Comparison::regionTable(const std::vector<RegionDistance>& regions) const {
+    const QLocale locale;
+    QString words = QStringLiteral(
+                        "<table cellspacing=4><tr><td></td><td>%1</td><td>%2</td><td>%3</td>"
+                        "</tr>")
+                        .arg(tr("mean"), tr("90 %"), tr("&lt; 2 mm"));
+    for (const RegionDistance& row : regions) {
         words += QStringLiteral(
                      "<tr><td>%1</td><td align=right>%2</td><td align=right>%3</td>"
                      "<td align=right>%4 %</td></tr>")
@@ -304,9 +356,7 @@ void Comparison::compared() {
                           locale.toString(row.p90_mm, 'f', 1),
                           locale.toString(100.0 * row.share_below_2mm, 'f', 0));
     }
-    m_panel.setActualWords(words + QStringLiteral("</table>"));
-    updateView();
-    Q_EMIT changed();
+    return words + QStringLiteral("</table>");
 }
 
 void Comparison::updateView() {
@@ -319,26 +369,49 @@ void Comparison::updateView() {
     if (same) {
         // the picture of the state before still holds
     } else if (m_mode == CompareMode::Off) {
+        retire(m_drawing);
         m_view.setCompare(CompareMode::Off, nullptr);
     } else {
-        Points nodes = before();
-        std::shared_ptr<SceneData> still = m_scene->still(nodes, m_beforeJaw, m_beforeWrinkles);
-        still->background_top = m_scene->scene().background_top;
-        still->background_bottom = m_scene->scene().background_bottom;
-        if (m_mode == CompareMode::Ghost) {
-            still->skin.opacity = 0.34F;
-            still->skin.texture = nullptr;
-            still->skin.colours.resize(3, 0);
-            still->skin.plain_colour = kGhost;
-            still->mouth.opacity = 0.0F;
-            ++still->topology;
-        }
-        m_view.setCompare(m_mode, std::move(still), beforeTitle());
+        drawBefore();
     }
     if (!paints()) {
         m_scene->tint_nodes({});
     }
     showLegend();
+}
+
+/// Draws the state before beside the window; until it is there, the face is shown alone.
+void Comparison::drawBefore() {
+    retire(m_drawing);
+    m_drawing = std::make_unique<StillJob>(
+        m_scene->still(before(), m_beforeJaw, m_beforeWrinkles));
+    connect(m_drawing.get(), &StillJob::finished, this, &Comparison::beforeDrawn);
+    m_drawing->start();
+}
+
+void Comparison::beforeDrawn() {
+    const std::unique_ptr<StillJob> job = std::move(m_drawing);
+    if (!job->problem().isEmpty()) {
+        Q_EMIT problem(job->problem());
+        return;
+    }
+    if (m_scene == nullptr || m_mode == CompareMode::Off) {
+        return;
+    }
+    std::shared_ptr<SceneData> still = std::move(job->result());
+    still->background_top = m_scene->scene().background_top;
+    still->background_bottom = m_scene->scene().background_bottom;
+    if (m_mode == CompareMode::Ghost) {
+        still->skin.opacity = 0.34F;
+        still->skin.texture = nullptr;
+        still->skin.colours.resize(3, 0);
+        still->skin.rest.resize(3, 0);
+        still->skin.plain_colour = kGhost;
+        still->mouth.opacity = 0.0F;
+        ++still->topology;
+    }
+    m_view.setCompare(m_mode, std::move(still), beforeTitle());
+    Q_EMIT changed();
 }
 
 void Comparison::showLegend() {
@@ -352,7 +425,11 @@ void Comparison::showLegend() {
         }
     }
     const QString most = QLocale().toString(m_panel.mapMillimetres(), 'f', 1);
-    m_view.setLegend(colours, tr("−%1 mm in").arg(most), tr("out +%1 mm").arg(most));
+    if (m_panel.sides()) {
+        m_view.setLegend(colours, tr("−%1 mm behind").arg(most), tr("stands out +%1 mm").arg(most));
+    } else {
+        m_view.setLegend(colours, tr("−%1 mm in").arg(most), tr("out +%1 mm").arg(most));
+    }
 }
 
 }  // namespace myoface

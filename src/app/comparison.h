@@ -18,6 +18,8 @@ namespace myoface {
 
 class ActualJob;
 class SettleJob;
+class SidesJob;
+class StillJob;
 
 /// Before and after: which earlier state the face is compared with, how both are shown, and the
 /// variants of the plan.
@@ -39,10 +41,10 @@ public:
     void holdBefore(bool held);
     /// Paints the map where one is wanted. @return whether the skin's colours are taken
     bool paint(const SimSnapshot& shown);
-    bool paints() const { return m_panel.map() || m_actual; }
+    bool paints() const { return m_panel.map() || m_panel.sides() || m_actual; }
     /// What is compared with, 3×skin nodes [mm].
     const Points& before() const;
-    bool busy() const { return m_settling != nullptr || m_comparing != nullptr; }
+    bool busy() const { return m_settling || m_comparing || m_comparingSides || m_drawing; }
     /// Compares with a scan of afterwards.
     void openActual(const QString& path);
     /// Shows the same contractions with all muscles at full strength beside the face, and goes
@@ -64,6 +66,11 @@ private:
     void settled();
     void compared();
     void updateView();
+    void drawBefore();
+    void beforeDrawn();
+    void compareSides(const Points& nodes);
+    void sidesCompared();
+    QString regionTable(const std::vector<RegionDistance>& regions) const;
     void showLegend();
     void chooseActual();
 
@@ -76,6 +83,10 @@ private:
     Wrinkles m_beforeWrinkles;
     std::unique_ptr<SettleJob> m_settling;
     std::unique_ptr<ActualJob> m_comparing;
+    std::unique_ptr<SidesJob> m_comparingSides;
+    std::unique_ptr<StillJob> m_drawing;
+    Points m_sidesOf;  ///< what m_sides was made of
+    Eigen::VectorXd m_sides;
     std::optional<ResultComparison> m_actual;
     std::shared_ptr<const SimSnapshot> m_now;
     QTimer m_followsSliders;

@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "myoface/measure/symmetry.h"
+#include "myoface/scene/visibility.h"
+
 namespace myoface {
 
 SettleJob::SettleJob(std::shared_ptr<const FaceModel> face, Variant variant, double skinAge,
@@ -25,6 +28,24 @@ void SettleJob::run() {
     const StepReport report = simulator.settle();
     m_result = snapshot_of(simulator);
     m_result.report = report;
+}
+
+SidesJob::SidesJob(std::shared_ptr<const FaceModel> face, Points nodes, QObject* parent)
+    : BackgroundJob(parent), m_face(std::move(face)), m_nodes(std::move(nodes)) {}
+
+void SidesJob::run() {
+    m_result = side_differences(*m_face, m_nodes, &m_progress);
+    m_regions = distances_by_region(*m_face, m_result);
+}
+
+StillJob::StillJob(std::function<std::unique_ptr<SceneData>()> make, QObject* parent)
+    : BackgroundJob(parent), m_make(std::move(make)) {}
+
+ShadeJob::ShadeJob(std::shared_ptr<const Scan> scan, QObject* parent)
+    : BackgroundJob(parent), m_scan(std::move(scan)) {}
+
+void ShadeJob::run() {
+    m_result = light_visibility(m_scan->mesh, &m_progress);
 }
 
 ActualJob::ActualJob(std::shared_ptr<const FaceModel> face, Points plan, QString path,

@@ -44,6 +44,15 @@ void appendEdits(Plan& plan, const QUndoCommand& step,
 
 }  // namespace
 
+OpenedFace asSaved(const OpenedFace& opened, const FaceEdits& edits) {
+    OpenedFace face = opened;
+    if (!edits.landmarks.empty()) {
+        face.landmarks = edits.landmarks;
+    }
+    face.fit = edits.fit;
+    return face;
+}
+
 FaceDocument::FaceDocument(QObject* parent) : QObject(parent) {}
 
 void FaceDocument::setFace(std::shared_ptr<const OpenedFace> opened,

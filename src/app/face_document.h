@@ -26,6 +26,8 @@ struct FaceEdits {
 };
 /// In terms of the scan. Costs a moment on fine scans.
 CaseState stateOf(const FaceEdits& edits);
+/// A face as it is to be saved: as opened, with what was placed and chosen since.
+OpenedFace asSaved(const OpenedFace& opened, const FaceEdits& edits);
 
 /// The face that is open and what the user made of it. Views listen to it; only commands change it.
 class FaceDocument final : public QObject {

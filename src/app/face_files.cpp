@@ -6,14 +6,15 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QImage>
 #include <QMessageBox>
-#include <QProgressDialog>
 #include <QPushButton>
 #include <QSettings>
 
 #include "myoface/base/error.h"
 
 #include "face_view.h"
+#include "language.h"
 
 namespace myoface {
 namespace {
@@ -26,6 +27,19 @@ QString withSuffix(const QString& path, const QString& suffix) {
     return path.isEmpty() || !QFileInfo(path).suffix().isEmpty() ? path : path + suffix;
 }
 
+/// A picture, small, as PNG.
+std::string thumbnail(const QImage& whole) {
+    QImage picture = whole.scaled(kThumbnail, kThumbnail, Qt::KeepAspectRatioByExpanding,
+                                  Qt::SmoothTransformation);
+    picture = picture.copy((picture.width() - kThumbnail) / 2, (picture.height() - kThumbnail) / 2,
+                           kThumbnail, kThumbnail);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    picture.save(&buffer, "PNG");
+    return bytes.toStdString();
+}
+
 /// Tells whether a file is still the one that was read or written.
 QString stampOf(const QString& path) {
     const QFileInfo info(path);
@@ -35,16 +49,65 @@ QString stampOf(const QString& path) {
 }  // namespace
 
 FaceFiles::FaceFiles(FaceDocument& document, QWidget& window)
-    : QObject(&window), m_document(document), m_window(window), m_report(this) {
-    connect(&m_report, &ReportExport::written, this, [this](const QString& file) {
+    : QObject(&window), m_document(document), m_window(window), m_cli(this) {
+    connect(&m_cli, &CliExport::progressed, this, &FaceFiles::progressed);
+    const auto end = [this] {
         Q_EMIT reportWriting(false);
+        Q_EMIT rested();
+    };
+    connect(&m_cli, &CliExport::written, this, [this, end](const QString& file) {
+        end();
         Q_EMIT message(tr("Written: %1").arg(file));
         Q_EMIT reportWritten(file);
     });
-    connect(&m_report, &ReportExport::failed, this, [this](const QString& sentence) {
-        Q_EMIT reportWriting(false);
+    connect(&m_cli, &CliExport::failed, this, [this, end](const QString& sentence) {
+        end();
         Q_EMIT problem(sentence);
     });
+    connect(&m_cli, &CliExport::cancelled, this, [this, end] {
+        end();
+        Q_EMIT message(tr("Cancelled; nothing was written."));
+    });
+}
+
+void FaceFiles::begin(const QString& what, std::function<void(const Progress&)> work,
+                      std::function<void()> then) {
+    if (busy()) {
+        Q_EMIT problem(tr("Something is being written already; wait for it or cancel it."));
+        return;
+    }
+    m_job = std::make_unique<FileJob>(std::move(work));
+    connect(m_job.get(), &FileJob::finished, this, [this, then = std::move(then)] {
+        const std::unique_ptr<FileJob> job = std::move(m_job);
+        Q_EMIT rested();
+        if (job->cancelled()) {
+            Q_EMIT message(tr("Cancelled; nothing was written."));
+        } else if (!job->problem().isEmpty()) {
+            Q_EMIT problem(inWords(job->problem().toStdString()));
+        } else {
+            then();
+        }
+    });
+    Q_EMIT working(what);
+    m_job->start();
+}
+
+void FaceFiles::beginCli(const QString& what, const QString& command, const QString& path,
+                         const QStringList& options) {
+    if (busy()) {
+        Q_EMIT problem(tr("Something is being written already; wait for it or cancel it."));
+        return;
+    }
+    Q_EMIT working(what);
+    m_cli.start(m_document, command, path, options);
+}
+
+void FaceFiles::cancel() {
+    if (m_job) {
+        m_job->cancel();
+    } else if (m_cli.running()) {
+        m_cli.cancel();
+    }
 }
 
 void FaceFiles::setOpened(const QString& path) {
@@ -113,9 +176,10 @@ void FaceFiles::chooseLandmarks() {
     }
 }
 
-bool FaceFiles::saveCase() {
+void FaceFiles::saveCase(std::function<void()> then) {
     if (m_casePath.isEmpty()) {
-        return saveCaseAs();
+        saveCaseAs(std::move(then));
+        return;
     }
     if (stampOf(m_casePath) != m_stamp && QFileInfo::exists(m_casePath) &&
         !qEnvironmentVariableIsSet("MYOFACE_UNATTENDED")) {
@@ -127,75 +191,84 @@ bool FaceFiles::saveCase() {
         const QAbstractButton* beside = box.addButton(tr("Save as…"), QMessageBox::AcceptRole);
         box.exec();
         if (box.clickedButton() == beside) {
-            return saveCaseAs();
+            saveCaseAs(std::move(then));
+            return;
         }
         if (box.clickedButton() != over) {
-            return false;
+            return;
         }
     }
-    return saveCaseTo(m_casePath);
+    saveCaseTo(m_casePath, std::move(then));
 }
 
-bool FaceFiles::saveCaseAs() {
+void FaceFiles::saveCaseAs(std::function<void()> then) {
     if (!m_document.opened()) {
-        return false;
+        return;
     }
     const QString path =
         withSuffix(QFileDialog::getSaveFileName(&m_window, tr("Save the case"),
                                                 m_casePath.isEmpty() ? folder() : m_casePath,
                                                 tr("Myoface case (*.myoface)")),
                    QStringLiteral(".myoface"));
-    return !path.isEmpty() && saveCaseTo(path);
-}
-
-bool FaceFiles::saveCaseTo(const QString& path) {
-    try {
-        OpenedFace face = m_document.asSaved();
-        face.thumbnail = thumbnail();
-        write_case(path.toStdString(), face, m_document.state());
-    } catch (const Error& error) {
-        Q_EMIT problem(QString::fromUtf8(error.what()));
-        return false;
+    if (!path.isEmpty()) {
+        saveCaseTo(path, std::move(then));
     }
-    m_casePath = path;
-    m_stamp = stampOf(path);
-    m_document.undoStack()->setClean();
-    remember(path);
-    Q_EMIT message(tr("Saved: %1").arg(path));
-    return true;
 }
 
-/// The face as it is shown, small, as PNG.
-std::string FaceFiles::thumbnail() const {
+/// The face as it is shown; null where nothing is.
+QImage FaceFiles::picture() const {
     auto* view = m_window.findChild<FaceView*>();
-    if (view == nullptr || !view->isVisible()) {
-        return m_document.opened()->thumbnail;
-    }
-    QImage picture = view->grabFramebuffer().scaled(
-        kThumbnail, kThumbnail, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    picture = picture.copy((picture.width() - kThumbnail) / 2, (picture.height() - kThumbnail) / 2,
-                           kThumbnail, kThumbnail);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    picture.save(&buffer, "PNG");
-    return bytes.toStdString();
+    return view != nullptr && view->isVisible() ? view->grabFramebuffer() : QImage();
 }
 
-void FaceFiles::exportFace(const SimSnapshot& shown) {
-    const QString path =
-        QFileDialog::getSaveFileName(&m_window, tr("Export the face as it is shown"), folder(),
-                                     tr("OBJ (*.obj);;PLY (*.ply);;GLB (*.glb);;STL (*.stl)"));
-    if (path.isEmpty()) {
-        return;
+void FaceFiles::saveCaseTo(const QString& path, std::function<void()> then) {
+    const int step = m_document.undoStack()->index();
+    begin(
+        tr("Saving"),
+        [path, opened = m_document.opened(), edits = m_document.edits(),
+         passphrase = m_document.passphrase(), picture = picture()](const Progress& progress) {
+            OpenedFace face = asSaved(*opened, edits);
+            face.passphrase = passphrase;
+            if (!picture.isNull()) {
+                face.thumbnail = thumbnail(picture);
+            }
+            write_case(path.toStdString(), face, stateOf(edits), &progress);
+        },
+        [this, path, step, opened = m_document.opened(), then = std::move(then)] {
+            if (opened == m_document.opened()) {  // still the face that was saved
+                m_casePath = path;
+                m_stamp = stampOf(path);
+                if (step == m_document.undoStack()->index()) {
+                    m_document.undoStack()->setClean();
+                }
+            }
+            remember(path);
+            Q_EMIT message(tr("Saved: %1").arg(path));
+            if (then) {
+                then();
+            }
+        });
+}
+
+void FaceFiles::exportFace(const SimSnapshot& shown, bool anonymous) {
+    // What is anonymous has no colours: it is for printing.
+    const QString path = QFileDialog::getSaveFileName(
+        &m_window, tr("Export the face as it is shown"), folder(),
+        anonymous ? tr("STL (*.stl)") : tr("OBJ (*.obj);;PLY (*.ply);;GLB (*.glb);;STL (*.stl)"));
+    if (!path.isEmpty()) {
+        exportFaceTo(anonymous ? withSuffix(path, QStringLiteral(".stl")) : path, shown);
     }
-    try {
-        write_face(path.toStdString(), *m_document.opened()->scan, *m_document.model(),
-                   shown.positions, shown.jaw, shown.wrinkles);
-        Q_EMIT message(tr("Written: %1").arg(path));
-    } catch (const Error& error) {
-        Q_EMIT problem(QString::fromUtf8(error.what()));
-    }
+}
+
+void FaceFiles::exportFaceTo(const QString& path, const SimSnapshot& shown) {
+    begin(
+        tr("Writing the face"),
+        [path, opened = m_document.opened(), model = m_document.model(), nodes = shown.positions,
+         jaw = shown.jaw](const Progress& progress) {
+            progress.report("writing", 0.1);
+            write_face(path.toStdString(), *opened->scan, *model, nodes, jaw);
+        },
+        [this, path] { Q_EMIT message(tr("Written: %1").arg(path)); });
 }
 
 void FaceFiles::exportPicture(FaceView& view) {
@@ -205,43 +278,47 @@ void FaceFiles::exportPicture(FaceView& view) {
     if (path.isEmpty()) {
         return;
     }
-    if (view.grabFramebuffer().save(path)) {
-        Q_EMIT message(tr("Written: %1").arg(path));
-    } else {
-        Q_EMIT problem(tr("%1: cannot be written.").arg(path));
-    }
+    begin(
+        tr("Writing the picture"),
+        [path, picture = view.grabFramebuffer()](const Progress&) {
+            if (!picture.save(path)) {
+                throw IoError(path.toStdString() + ": cannot be written.");
+            }
+        },
+        [this, path] { Q_EMIT message(tr("Written: %1").arg(path)); });
 }
 
-void FaceFiles::exportTurntable(FaceView& view) {
-    const QString folder = QFileDialog::getExistingDirectory(
-        &m_window, tr("A folder for pictures all around the head"), this->folder());
-    if (folder.isEmpty()) {
+void FaceFiles::chooseAnimation(const QString& motion, bool anonymous) {
+    if (!m_document.model()) {
         return;
     }
-    constexpr int kPictures = 36;
-    const Camera home = view.camera();
-    QProgressDialog progress(tr("Turning the head…"), tr("Cancel"), 0, kPictures, &m_window);
-    progress.setWindowModality(Qt::WindowModal);
-    bool good = true;
-    for (int k = 0; k < kPictures && good && !progress.wasCanceled(); ++k) {
-        progress.setValue(k);
-        Camera camera = home;
-        orbit(camera, 2.0 * 3.14159265358979 * k / kPictures, 0.0);
-        view.setCamera(camera);
-        good = view.grabFramebuffer().save(
-            QDir(folder).filePath(QStringLiteral("turn-%1.png").arg(k, 2, 10, QLatin1Char('0'))));
+    QString chosen;
+    QString path = QFileDialog::getSaveFileName(
+        &m_window,
+        motion == QLatin1String("turn") ? tr("A film or pictures all around the head")
+                                        : tr("A film or pictures from rest to the face as it is"),
+        folder(), tr("GIF (*.gif);;Film (*.mp4);;Folder of PNG pictures (*)"), &chosen);
+    if (path.isEmpty()) {
+        return;
     }
-    progress.setValue(kPictures);
-    view.setCamera(home);
-    if (good) {
-        Q_EMIT message(tr("Written: %1").arg(folder));
-    } else {
-        Q_EMIT problem(tr("%1: cannot be written.").arg(folder));
+    if (QFileInfo(path).suffix().isEmpty() && chosen.contains(QLatin1String("*.gif"))) {
+        path += QStringLiteral(".gif");
+    } else if (QFileInfo(path).suffix().isEmpty() && chosen.contains(QLatin1String("*.mp4"))) {
+        path += QStringLiteral(".mp4");
     }
+    exportAnimation(motion, path, anonymous);
+}
+
+void FaceFiles::exportAnimation(const QString& motion, const QString& path, bool anonymous) {
+    QStringList options{QStringLiteral("--motion"), motion};
+    if (anonymous) {
+        options << QStringLiteral("--anonymous");
+    }
+    beginCli(tr("Drawing the film"), QStringLiteral("animate"), path, options);
 }
 
 void FaceFiles::chooseReport(const ReportWords& words, const Population& population) {
-    if (!m_document.model() || m_report.running()) {
+    if (!m_document.model() || busy()) {
         return;
     }
     const QString path = withSuffix(
@@ -254,13 +331,24 @@ void FaceFiles::chooseReport(const ReportWords& words, const Population& populat
 
 void FaceFiles::exportReport(const QString& path, const ReportWords& words,
                              const Population& population) {
-    try {
-        m_report.start(m_document, path, words, population);
-        Q_EMIT reportWriting(true);
-        Q_EMIT message(tr("Writing the report…"));
-    } catch (const Error& error) {
-        Q_EMIT problem(QString::fromUtf8(error.what()));
+    QStringList options{QStringLiteral("--age"), QString::number(population.age),
+                        QStringLiteral("--language"), Language::instance().code()};
+    for (const auto& [option, value] :
+         {std::pair("--title", words.title), std::pair("--patient", words.patient),
+          std::pair("--notes", words.notes), std::pair("--logo", words.logo)}) {
+        if (!value.trimmed().isEmpty()) {
+            options << QString::fromLatin1(option) + QLatin1Char('=') + value;
+        }
     }
+    if (population.sex) {
+        options << QStringLiteral("--sex")
+                << (*population.sex == Sex::Female ? QStringLiteral("f") : QStringLiteral("m"));
+    }
+    if (words.anonymous) {
+        options << QStringLiteral("--anonymous");
+    }
+    Q_EMIT reportWriting(true);
+    beginCli(tr("Writing the report"), QStringLiteral("report"), path, options);
 }
 
 }  // namespace myoface

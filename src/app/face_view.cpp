@@ -2,15 +2,10 @@
 // clang-format off: epoxy must come before any header of Qt that may bring another OpenGL loader
 #include <epoxy/gl.h>
 // clang-format on
+#include <algorithm>
 #include <cmath>
 
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QOpenGLPaintDevice>
-#include <QPainter>
-#include <QPainterPath>
-#include <QWheelEvent>
 
 #include "myoface/base/error.h"
 
@@ -19,9 +14,7 @@
 
 namespace myoface {
 namespace {
-constexpr double kOrbitPerPixel = 0.0075;  // [rad]
-constexpr double kTurnPerFrame = 0.012;    // [rad]
-constexpr double kClickSlack = 4.0;        // a press that moved less is a click [px]
+constexpr double kTurnPerFrame = 0.012;  // [rad]
 }  // namespace
 
 FaceView::FaceView(QWidget* parent) : QOpenGLWidget(parent) {
@@ -29,10 +22,8 @@ FaceView::FaceView(QWidget* parent) : QOpenGLWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Face"));
     m_turning.setInterval(33);
-    connect(&m_turning, &QTimer::timeout, this, [this] {
-        orbit(m_camera, kTurnPerFrame, 0.0);
-        moved();
-    });
+    connect(&m_turning, &QTimer::timeout, this,
+            [this] { changeCameras([](Camera& camera) { orbit(camera, kTurnPerFrame, 0.0); }); });
 }
 
 FaceView::~FaceView() {
@@ -54,7 +45,9 @@ void FaceView::setCompare(CompareMode mode, std::shared_ptr<const SceneData> bef
                           const QString& title) {
     const double fitted = fit();
     m_compare = before ? mode : CompareMode::Off;
-    m_camera.distance *= fitted / fit();  // the head fills its part of the view as it did
+    for (Camera& camera : m_cameras) {
+        camera.distance *= fitted / fit();  // the head fills its part of the view as it did
+    }
     m_beforeScene = std::move(before);
     m_beforeTitle = title;
     if (m_beforeRenderer) {  // its buffers belong to another picture
@@ -79,7 +72,7 @@ void FaceView::setLegend(const QVector<QColor>& colours, const QString& low, con
 }
 
 void FaceView::setCamera(const Camera& camera) {
-    m_camera = camera;
+    m_cameras[m_active] = camera;
     update();
 }
 
@@ -88,21 +81,41 @@ void FaceView::moved() {
     Q_EMIT cameraMoved();
 }
 
-QRectF FaceView::livePane() const {
-    return m_compare == CompareMode::SideBySide
-               ? QRectF(0.5 * width(), 0.0, 0.5 * width(), height())
-               : QRectF(0.0, 0.0, width(), height());
+void FaceView::setLayout(ViewLayout layout) {
+    if (layout == m_layout) {
+        return;
+    }
+    const Camera used = camera();
+    const double fitted = fit();
+    m_layout = layout;
+    m_active = 0;
+    const std::vector<QString> views = viewsOf(layout);
+    for (std::size_t c = 0; c < views.size(); ++c) {
+        m_cameras[c] = used;
+        m_cameras[c].distance *= fitted / fit();
+        if (layout != ViewLayout::One) {
+            m_cameras[c].orientation = standard_view(views[c].toStdString());
+        }
+    }
+    moved();
 }
 
-double FaceView::fit() const {
-    constexpr double kHead = 0.7;  // a head is that much narrower than high
-    const QRectF pane = livePane();
-    return std::min(1.0, pane.width() / std::max(kHead * pane.height(), 1.0));
+ViewPane FaceView::paneAt(const QPointF& at) const {
+    const std::vector<ViewPane> all = panes();
+    for (const ViewPane& pane : all) {
+        if (pane.area.contains(at)) {
+            return pane;
+        }
+    }
+    return all.front();
 }
 
-bool FaceView::onWipe(const QPointF& at) const {
-    constexpr double kReach = 8.0;  // [px]
-    return m_compare == CompareMode::Wipe && std::abs(at.x() - m_wipe * width()) < kReach;
+ViewPane FaceView::livePane() const {
+    const std::vector<ViewPane> all = panes();
+    const auto found = std::find_if(all.begin(), all.end(), [this](const ViewPane& pane) {
+        return !pane.before && pane.camera == static_cast<int>(m_active);
+    });
+    return found != all.end() ? *found : all.back();
 }
 
 void FaceView::setScene(FaceScene* scene) {
@@ -110,9 +123,9 @@ void FaceView::setScene(FaceScene* scene) {
     update();
 }
 
-void FaceView::setSkin(const TriangleMesh& skin) {
+void FaceView::setSkin(const TriangleMesh& skin, Bvh bvh) {
     m_skin = skin;
-    m_bvh = Bvh(m_skin);
+    m_bvh = std::move(bvh);
     m_bvhStale = false;
 }
 
@@ -132,20 +145,25 @@ void FaceView::setPickMode(bool on) {
 }
 
 void FaceView::showStandardView(const QString& name) {
-    m_camera.orientation = standard_view(name.toStdString());
-    m_camera.target = m_homeCentre;
+    Camera& camera = m_cameras[m_active];
+    camera.orientation = standard_view(name.toStdString());
+    camera.target = m_homeCentre;
     moved();
 }
 
 void FaceView::frameFace(const Vec3& centre, double radius) {
     m_homeCentre = centre;
     m_homeRadius = radius;
-    frame(m_camera, centre, radius, fit());
+    for (Camera& camera : m_cameras) {
+        frame(camera, centre, radius, fit());
+    }
     moved();
 }
 
 void FaceView::setOrthographic(bool on) {
-    m_camera.orthographic = on;
+    for (Camera& camera : m_cameras) {
+        camera.orthographic = on;
+    }
     moved();
 }
 
@@ -183,170 +201,24 @@ void FaceView::initializeGL() {
     }
 }
 
-void FaceView::paintGL() {
-    const double ratio = devicePixelRatioF();
-    const int w = static_cast<int>(std::lround(width() * ratio));
-    const int h = static_cast<int>(std::lround(height() * ratio));
-    if (!m_renderer) {
-        return;
-    }
-    drawScenes(w, h, static_cast<float>(ratio));
-    // Straight into the framebuffer: a painter on the widget would be led elsewhere in a
-    // screenshot.
-    QOpenGLPaintDevice device(w, h);
-    device.setDevicePixelRatio(ratio);
-    QPainter painter(&device);
-    painter.setRenderHint(QPainter::Antialiasing);
-    drawWords(painter);
-    if (m_inset) {
-        drawInset(painter);
-    }
-}
-
-void FaceView::drawScenes(int width, int height, float ratio) {
-    static const SceneData kEmpty;
-    m_renderer->style = m_style;
-    const SceneData& now = m_scene != nullptr ? m_scene->scene() : kEmpty;
-    const Pane whole{0, 0, width, height};
-    if (m_compare == CompareMode::Off || !m_beforeScene) {
-        m_renderer->draw(now, m_camera, whole, ratio);
-        return;
-    }
-    if (!m_beforeRenderer) {
-        m_beforeRenderer = std::make_unique<Renderer>();
-        m_beforeRenderer->initialise();
-    }
-    m_beforeRenderer->style = m_style;
-    const SceneData& before = *m_beforeScene;
-    const int half = width / 2;
-    switch (m_compare) {
-        case CompareMode::SideBySide:
-            m_beforeRenderer->draw(before, m_camera, {0, 0, half, height}, ratio);
-            m_renderer->draw(now, m_camera, {half, 0, width - half, height}, ratio);
-            break;
-        case CompareMode::Wipe: {
-            const int edge = static_cast<int>(std::lround(m_wipe * width));
-            m_beforeRenderer->draw(before, m_camera, {0, 0, width, height, 0, edge}, ratio);
-            m_renderer->draw(now, m_camera, {0, 0, width, height, edge}, ratio);
-            break;
-        }
-        default:
-            m_renderer->draw(now, m_camera, whole, ratio);
-            m_beforeRenderer->draw(before, m_camera, {0, 0, width, height, 0, width, true}, ratio);
-    }
-}
-
-/// Labels of places, titles of both states, the wipe's line and the legend.
-void FaceView::drawWords(QPainter& painter) {
-    const auto tag = [&](const QPointF& centre, const QString& text) {
-        const QFontMetricsF metrics(painter.font());
-        QRectF box(0.0, 0.0, metrics.horizontalAdvance(text) + 16.0, metrics.height() + 8.0);
-        box.moveCenter(centre);
-        box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, width() - box.width() - 4.0)));
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(20, 24, 30, 205));
-        painter.drawRoundedRect(box, 5.0, 5.0);
-        painter.setPen(QColor(232, 236, 240));
-        painter.drawText(box, Qt::AlignCenter, text);
-    };
-    const QRectF live = livePane();
-    for (const ViewLabel& label : m_labels) {
-        const PixelPoint p = pixelOf(label.at);
-        tag({p.x, p.y - 20.0}, label.text);
-    }
-    const double top = 22.0;
-    if (m_compare == CompareMode::SideBySide) {
-        tag({0.25 * width(), top}, m_beforeTitle);
-        tag({0.75 * width(), top}, tr("now"));
-        painter.setPen(QPen(QColor(255, 255, 255, 70), 1.0));
-        painter.drawLine(QPointF(0.5 * width(), 0.0), QPointF(0.5 * width(), height()));
-    } else if (m_compare == CompareMode::Wipe) {
-        const double x = m_wipe * width();
-        painter.setPen(QPen(QColor(255, 255, 255, 190), 1.5));
-        painter.drawLine(QPointF(x, 0.0), QPointF(x, height()));
-        painter.setBrush(QColor(245, 248, 250));
-        painter.setPen(Qt::NoPen);
-        const double y = 0.5 * height();
-        painter.drawEllipse(QPointF(x, y), 13.0, 13.0);
-        painter.setPen(QPen(QColor(40, 46, 54), 2.0, Qt::SolidLine, Qt::RoundCap));
-        for (const double side : {-1.0, 1.0}) {
-            painter.drawLine(QPointF(x + 7.0 * side, y), QPointF(x + 3.5 * side, y - 3.5));
-            painter.drawLine(QPointF(x + 7.0 * side, y), QPointF(x + 3.5 * side, y + 3.5));
-        }
-        tag({x - 60.0, top}, m_beforeTitle);
-        tag({x + 60.0, top}, tr("now"));
-    } else if (m_compare == CompareMode::Ghost) {
-        tag({0.5 * width(), top}, tr("%1 as a ghost over now").arg(m_beforeTitle));
-    }
-    if (!m_legend.isEmpty()) {
-        const QRectF bar(live.x() + 18.0, height() - 46.0, 190.0, 10.0);
-        const QRectF plate = bar.adjusted(-10.0, -8.0, 10.0, 28.0);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(20, 24, 30, 205));
-        painter.drawRoundedRect(plate, 6.0, 6.0);
-        const double step = bar.width() / m_legend.size();
-        painter.setRenderHint(QPainter::Antialiasing, false);
-        for (int i = 0; i < m_legend.size(); ++i) {
-            painter.fillRect(QRectF(bar.x() + i * step, bar.y(), step + 1.0, bar.height()),
-                             m_legend[i]);
-        }
-        painter.setPen(QColor(222, 226, 230));
-        const QRectF words = bar.adjusted(0.0, 13.0, 0.0, 16.0);
-        painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, m_legendLow);
-        painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, m_legendHigh);
-    }
-}
-
-void FaceView::drawInset(QPainter& painter) {
-    constexpr int kSide = 210;  // [px]
-    constexpr double kPixelsPerMm = 3.6;
-    const QRectF frame(width() - kSide - 14.0, 14.0, kSide, kSide);
-    QPainterPath rounded;
-    rounded.addRoundedRect(frame, 8.0, 8.0);
-    painter.fillPath(rounded, QColor(20, 24, 30, 215));
-    painter.setPen(QColor(141, 153, 165));
-    painter.drawText(frame.adjusted(10, 6, -10, -6), Qt::AlignTop | Qt::AlignLeft,
-                     tr("from the side"));
-    painter.setClipPath(rounded);
-    painter.translate(frame.center());
-    painter.scale(kPixelsPerMm, -kPixelsPerMm);
-    painter.translate(-m_inset->point);
-    const auto lines = [&](const QVector<QLineF>& segments, const QColor& colour, double width) {
-        painter.setPen(QPen(colour, width / kPixelsPerMm, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLines(segments);
-    };
-    lines(m_inset->bone, QColor(206, 192, 160), 1.4);
-    lines(m_inset->before, QColor(125, 134, 146), 1.4);
-    lines(m_inset->now, QColor(235, 240, 245), 2.0);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(89, 199, 255));
-    painter.drawEllipse(m_inset->point, 4.0 / kPixelsPerMm, 4.0 / kPixelsPerMm);
-    painter.resetTransform();
-    painter.setClipping(false);
-    painter.setPen(QColor(141, 153, 165));
-    const double bar = 10.0 * kPixelsPerMm;
-    const QPointF foot = frame.bottomRight() - QPointF(12.0 + bar, 12.0);
-    painter.drawLine(foot, foot + QPointF(bar, 0.0));
-    painter.drawText(QRectF(foot - QPointF(0.0, 18.0), QSizeF(bar, 16.0)), Qt::AlignCenter,
-                     tr("10 mm"));
-}
-
 ViewRay FaceView::rayAt(const QPointF& at) const {
-    const QRectF pane = livePane();
-    return view_ray(m_camera, at.x() - pane.x(), at.y(), static_cast<int>(pane.width()),
-                    static_cast<int>(pane.height()));
+    // A hand that holds something stays in the part where it took it.
+    const ViewPane pane = m_action == Action::None ? paneAt(at) : livePane();
+    return view_ray(cameraOf(pane), at.x() - pane.area.x(), at.y() - pane.area.y(),
+                    static_cast<int>(pane.area.width()), static_cast<int>(pane.area.height()));
 }
 
-PixelPoint FaceView::pixelOf(const Vec3& point) const {
-    const QRectF pane = livePane();
-    PixelPoint p =
-        project(m_camera, point, static_cast<int>(pane.width()), static_cast<int>(pane.height()));
-    p.x += pane.x();
+PixelPoint FaceView::pixelOf(const Vec3& point, const ViewPane& pane) const {
+    PixelPoint p = project(cameraOf(pane), point, static_cast<int>(pane.area.width()),
+                           static_cast<int>(pane.area.height()));
+    p.x += pane.area.x();
+    p.y += pane.area.y();
     return p;
 }
 
 std::optional<RayHit> FaceView::hitAt(const QPointF& at) {
-    if (m_skin.triangle_count() == 0 || !livePane().contains(at)) {
+    const ViewPane pane = m_action == Action::None ? paneAt(at) : livePane();
+    if (m_skin.triangle_count() == 0 || pane.before || !pane.area.contains(at)) {
         return std::nullopt;
     }
     if (m_bvhStale) {
@@ -371,8 +243,12 @@ int FaceView::handleAt(const QPointF& at) {
     constexpr double kHidden = 12.0;  // [mm] behind the skin
     int best = -1;
     double nearest = kReach;
+    const ViewPane pane = paneAt(at);
+    if (pane.before) {
+        return -1;
+    }
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
-        const PixelPoint p = pixelOf(m_handles[i]);
+        const PixelPoint p = pixelOf(m_handles[i], pane);
         const double off = std::hypot(p.x - at.x(), p.y - at.y());
         if (off < nearest) {
             const auto hit = hitAt({p.x, p.y});
@@ -388,7 +264,7 @@ int FaceView::handleAt(const QPointF& at) {
 
 void FaceView::bringIntoView(const Vec3& point) {
     const auto hit = hitAt([&] {
-        const PixelPoint p = pixelOf(point);
+        const PixelPoint p = pixelOf(point, livePane());
         return QPointF(p.x, p.y);
     }());
     const bool seen = hit && (position(m_skin, hit->where) - point).norm() < 8.0;
@@ -399,24 +275,6 @@ void FaceView::bringIntoView(const Vec3& point) {
                                                    : QStringLiteral("three-quarter-right"));
     }
     update();
-}
-
-/// What the tool does where the left button goes down. @return whether there is skin
-bool FaceView::beginOnSkin(const QPointF& at) {
-    const auto hit = hitAt(at);
-    if (!hit) {
-        return false;
-    }
-    if (m_tool == Tool::Volume || m_tool == Tool::Measure) {
-        m_action = Action::MaybePlace;
-    } else if (m_tool == Tool::Protect) {
-        m_action = Action::Brush;
-        Q_EMIT brushed(hit->where);
-    } else {
-        m_action = Action::Grip;
-        Q_EMIT gripped(hit->where, rayAt(at));
-    }
-    return true;
 }
 
 std::vector<Vec3> FaceView::ringOnSkin(const SurfacePoint& where, double radius) {
@@ -441,216 +299,6 @@ std::vector<Vec3> FaceView::ringOnSkin(const SurfacePoint& where, double radius)
                        kLift * double_area_vector(m_skin, found.where.triangle).normalized());
     }
     return ring;
-}
-
-void FaceView::mousePressEvent(QMouseEvent* event) {
-    m_last = m_pressed = event->localPos();
-    if (m_turning.isActive()) {
-        m_turning.stop();
-        Q_EMIT turningEnded();
-    }
-    if (m_action == Action::Radius) {
-        m_action = Action::None;  // taken
-        return;
-    }
-    if (m_action == Action::Grip) {
-        return;
-    }
-    const bool turn = (event->modifiers() & Qt::AltModifier) != 0;
-    const bool shift = (event->modifiers() & Qt::ShiftModifier) != 0;
-    if (event->button() == Qt::MiddleButton) {
-        m_action = shift ? Action::Pan : Action::Orbit;
-    } else if (event->button() == Qt::RightButton) {
-        m_action = Action::Pan;
-    } else if (event->button() == Qt::LeftButton) {
-        m_action = Action::Orbit;
-        if (onWipe(m_last)) {
-            m_action = Action::Wipe;
-        } else if (m_pickMode) {
-            m_action = Action::MaybePick;
-        } else if (m_handle = turn ? -1 : handleAt(m_last); m_handle >= 0) {
-            m_action = Action::Handle;
-            m_handleMoved = false;
-            Q_EMIT handlePressed(m_handle);
-        } else if (m_tool != Tool::Navigate && !turn) {
-            beginOnSkin(m_last);
-        }
-    }
-    updateCursor(m_action == Action::Grip);
-}
-
-void FaceView::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF at = event->localPos();
-    const QPointF by = at - m_last;
-    m_last = at;
-    switch (m_action) {
-        case Action::Wipe:
-            setWipe(at.x() / std::max(width(), 1));
-            Q_EMIT wipeMoved(m_wipe);
-            break;
-        case Action::Radius:
-            Q_EMIT radiusMoved((at.x() - m_pressed.x()) * 2.0 * m_camera.distance *
-                               std::tan(0.5 * m_camera.field_of_view) / std::max(height(), 1));
-            break;
-        case Action::Brush:
-            if (const auto hit = hitAt(at)) {
-                Q_EMIT brushed(hit->where);
-            }
-            break;
-        case Action::MaybePlace:
-        case Action::MaybePick:
-            if (QPointF(at - m_pressed).manhattanLength() > kClickSlack) {
-                m_action = Action::Orbit;
-            }
-            break;
-        case Action::Orbit:
-            orbit(m_camera, kOrbitPerPixel * by.x(), kOrbitPerPixel * by.y());
-            moved();
-            break;
-        case Action::Pan:
-            pan(m_camera, by.x(), by.y(), height());
-            moved();
-            break;
-        case Action::Grip:
-            Q_EMIT pulled(rayAt(at));
-            break;
-        case Action::Handle:
-            if (const auto hit = hitAt(at)) {
-                m_handleAt = hit->where;
-                m_handleMoved = true;
-                Q_EMIT handleMoved(m_handle, m_handleAt);
-            }
-            break;
-        default: {
-            if (onWipe(at)) {
-                setCursor(Qt::SplitHCursor);
-                break;
-            }
-            const std::optional<RayHit> hit = hitAt(at);
-            updateCursor(hit.has_value());
-            Q_EMIT hovered(rayAt(at), hit ? std::optional(hit->where) : std::nullopt);
-        }
-    }
-}
-
-void FaceView::mouseReleaseEvent(QMouseEvent* event) {
-    const Action action = m_action;
-    if (action == Action::Grip && event->button() != Qt::LeftButton) {
-        return;
-    }
-    m_action = Action::None;
-    if (action == Action::Handle) {
-        if (m_handleMoved) {
-            Q_EMIT handleDropped(m_handle, m_handleAt);
-        }
-    } else if (action == Action::Grip) {
-        Q_EMIT released(true, (event->modifiers() & Qt::ShiftModifier) != 0);
-    } else if (action == Action::Brush) {
-        Q_EMIT brushEnded();
-    } else if (action == Action::MaybePlace) {
-        if (const auto hit = hitAt(event->localPos())) {
-            if (m_tool == Tool::Measure) {
-                Q_EMIT measured(hit->where);
-            } else {
-                Q_EMIT placed(hit->where);
-            }
-        }
-    } else if (action == Action::MaybePick) {
-        if (const auto hit = hitAt(event->localPos())) {
-            Q_EMIT picked(position(m_skin, hit->where));
-        }
-    }
-    updateCursor(hitAt(event->localPos()).has_value());
-}
-
-void FaceView::mouseDoubleClickEvent(QMouseEvent* event) {
-    mousePressEvent(event);
-}
-
-void FaceView::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
-    // Zooms towards the point under the cursor.
-    const QPointF at = event->position();
-    const ViewRay before = rayAt(at);
-    const double depth =
-        (m_camera.target - before.origin).dot(m_camera.orientation * -Vec3::UnitZ()) /
-        before.direction.dot(m_camera.orientation * -Vec3::UnitZ());
-    const Vec3 under = before.origin + depth * before.direction;
-    const double old = m_camera.distance;
-    zoom(m_camera, std::pow(1.12, steps));
-    m_camera.target = under + m_camera.distance / old * (m_camera.target - under);
-    moved();
-}
-
-bool FaceView::nudgeKey(const QKeyEvent& event) {
-    const double steps = (event.modifiers() & Qt::ShiftModifier) != 0 ? 10.0 : 1.0;
-    switch (event.key()) {
-        case Qt::Key_Left:
-            Q_EMIT nudged(-steps, 0.0);
-            return true;
-        case Qt::Key_Right:
-            Q_EMIT nudged(steps, 0.0);
-            return true;
-        case Qt::Key_Up:
-            Q_EMIT nudged(0.0, steps);
-            return true;
-        case Qt::Key_Down:
-            Q_EMIT nudged(0.0, -steps);
-            return true;
-        default:
-            return false;
-    }
-}
-
-void FaceView::keyPressEvent(QKeyEvent* event) {
-    if (m_action == Action::Radius &&
-        (event->key() == Qt::Key_Escape || event->key() == Qt::Key_Return)) {
-        m_action = Action::None;
-        if (event->key() == Qt::Key_Escape) {
-            Q_EMIT radiusCancelled();
-        }
-        return;
-    }
-    if (m_action == Action::None && !m_pickMode) {
-        if (nudgeKey(*event)) {
-            return;
-        }
-        if (event->key() == Qt::Key_X) {
-            Q_EMIT mirrorToggled();
-            return;
-        }
-        if (event->key() == Qt::Key_F && m_tool != Tool::Navigate) {
-            m_pressed = mapFromGlobal(QCursor::pos());
-            m_action = Action::Radius;
-            Q_EMIT radiusStarted();
-            return;
-        }
-    }
-    if (event->key() == Qt::Key_Escape && m_pickMode) {
-        Q_EMIT pickCancelled();
-    }
-    if (event->key() == Qt::Key_Escape && m_tool == Tool::Measure) {
-        Q_EMIT measureEnded();
-    }
-    if (event->key() == Qt::Key_Escape && m_action == Action::Grip) {
-        m_action = Action::None;
-        updateCursor(false);
-        Q_EMIT released(false, false);
-    } else if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
-        Q_EMIT beforeHeld(true);
-    } else if (event->key() == Qt::Key_Home) {
-        frameAgain();
-    } else {
-        QOpenGLWidget::keyPressEvent(event);
-    }
-}
-
-void FaceView::keyReleaseEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
-        Q_EMIT beforeHeld(false);
-    } else {
-        QOpenGLWidget::keyReleaseEvent(event);
-    }
 }
 
 }  // namespace myoface

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,12 +15,14 @@
 #include "myoface/scene/camera.h"
 #include "myoface/scene/face_scene.h"
 
+#include "view_panes.h"
+
 namespace myoface {
 
 class Renderer;
 
 /// What the left mouse button does on the skin.
-enum class Tool { Navigate, Shape, Feel, Volume, Protect, Measure };
+enum class Tool { Navigate, Shape, Feel, Volume, Protect, Measure, Section };
 
 /// How a face and an earlier state of it share the view.
 enum class CompareMode { Off, SideBySide, Wipe, Ghost };
@@ -50,7 +53,8 @@ public:
     /// The scene to draw; null for an empty view. The view does not own its contents.
     void setScene(FaceScene* scene);
     /// What can be gripped: the skin's triangles, at positions that setSkinPositions() updates.
-    void setSkin(const TriangleMesh& skin);
+    void setSkin(const TriangleMesh& skin) { setSkin(skin, Bvh(skin)); }
+    void setSkin(const TriangleMesh& skin, Bvh bvh);
     void setSkinPositions(const Points& positions);
     void setTool(Tool tool);
     Tool tool() const { return m_tool; }
@@ -78,9 +82,24 @@ public:
     /// A closed line on the skin around a place [mm].
     std::vector<Vec3> ringOnSkin(const SurfacePoint& where, double radius);
 
-    const Camera& camera() const { return m_camera; }
+    /// Of the part that was worked in last.
+    const Camera& camera() const { return m_cameras[m_active]; }
     void setCamera(const Camera& camera);
+    /// The part that was worked in last, from another side.
     void showStandardView(const QString& name);
+    /// One, two or four sides of the face at once; each can be worked in.
+    void setLayout(ViewLayout layout);
+    ViewLayout layout() const { return m_layout; }
+    /// Whether turning, panning and zooming one part does the same to all.
+    void setLinked(bool on) { m_linked = on; }
+    bool linked() const { return m_linked; }
+    const Camera& cameraOf(int part) const { return m_cameras[static_cast<std::size_t>(part)]; }
+    /// The parts as they lie in the widget.
+    std::vector<ViewPane> panes() const {
+        return viewPanes(m_layout, m_compare == CompareMode::SideBySide, size());
+    }
+    /// Time that drawing has taken since the program began [ms].
+    static double drawingTime();
     void frameFace(const Vec3& centre, double radius);
     /// Even light from the front instead of a portrait's.
     void setClinicalLight(bool on);
@@ -106,6 +125,10 @@ Q_SIGNALS:
     /// A click on the skin with the Measure tool.
     void measured(const myoface::SurfacePoint& where);
     void measureEnded();
+    /// A click on the skin with the Section tool, or a line drawn across the face: the plane that
+    /// the eye sees as that line.
+    void sectionPlaced(const myoface::SurfacePoint& where);
+    void sectionDrawn(const myoface::Vec3& through, const myoface::Vec3& normal);
     /// Arrow keys: steps to the right and up; with Shift ten.
     void nudged(double right, double up);
     void mirrorToggled();
@@ -148,26 +171,48 @@ private:
         MaybePlace,
         Brush,
         Radius,
-        Wipe
+        Wipe,
+        Knife
     };
 
+    // In face_view.cpp.
+    ViewPane paneAt(const QPointF& at) const;
+    /// The part that shows the face as it is now, of the camera in use.
+    ViewPane livePane() const;
+    const Camera& cameraOf(const ViewPane& pane) const {
+        return m_cameras[static_cast<std::size_t>(pane.camera)];
+    }
     ViewRay rayAt(const QPointF& at) const;
-    PixelPoint pixelOf(const Vec3& point) const;
+    PixelPoint pixelOf(const Vec3& point, const ViewPane& pane) const;
     std::optional<RayHit> hitAt(const QPointF& at);
     void updateCursor(bool onSkin);
     /// Number of the handle under a pixel that the skin does not hide, or -1.
     int handleAt(const QPointF& at);
     void releaseRenderer();
-    void drawScenes(int width, int height, float ratio);
-    void drawWords(QPainter& painter);
-    void drawInset(QPainter& painter);
-    /// The part of the widget that shows the face as it is now [px].
-    QRectF livePane() const;
-    /// How far the pane's width limits the size of a head, 0 … 1.
-    double fit() const;
-    bool onWipe(const QPointF& at) const;
+    double fit() const { return headFit(livePane().area, m_layout); }
     void moved();
+    /// Moves the camera in use, and the others alike where they are linked.
+    template <typename Change>
+    void changeCameras(const Change& change) {
+        for (std::size_t c = 0; c < m_cameras.size(); ++c) {
+            if (m_linked || c == m_active) {
+                change(m_cameras[c]);
+            }
+        }
+        moved();
+    }
+
+    // In face_view_paint.cpp.
+    void drawScenes(double ratio);
+    void drawWords(QPainter& painter);
+    void drawPaneWords(QPainter& painter, const ViewPane& pane);
+    void drawLegend(QPainter& painter, const QRectF& area);
+    void drawInset(QPainter& painter);
+
+    // In face_view_input.cpp.
+    bool onWipe(const QPointF& at) const;
     bool beginOnSkin(const QPointF& at);
+    void cut(const QPointF& to);
     bool nudgeKey(const QKeyEvent& event);
 
     FaceScene* m_scene = nullptr;
@@ -184,7 +229,10 @@ private:
     TriangleMesh m_skin;
     Bvh m_bvh;
     bool m_bvhStale = true;
-    Camera m_camera;
+    std::array<Camera, 4> m_cameras;
+    std::size_t m_active = 0;  ///< camera that was worked with last
+    ViewLayout m_layout = ViewLayout::One;
+    bool m_linked = true;
     Tool m_tool = Tool::Shape;
     Action m_action = Action::None;
     bool m_pickMode = false;
@@ -193,6 +241,7 @@ private:
     SurfacePoint m_handleAt;
     bool m_handleMoved = false;
     QPointF m_last, m_pressed;
+    std::optional<QLineF> m_knife;  ///< drawn across the face [px]
     std::optional<DepthInset> m_inset;
     Vec3 m_homeCentre = Vec3::Zero();
     double m_homeRadius = 130.0;

@@ -6,12 +6,13 @@
 namespace myoface {
 
 FitJob::FitJob(std::shared_ptr<const Scan> scan, Landmarks landmarks, const FitOptions& options,
-               Contractions contractions, Points shape)
+               Contractions contractions, Points shape, std::shared_ptr<const SkinTexture> texture)
     : m_scan(std::move(scan)),
       m_landmarks(std::move(landmarks)),
       m_options(options),
       m_contractions(std::move(contractions)),
-      m_shape(std::move(shape)) {}
+      m_shape(std::move(shape)),
+      m_texture(std::move(texture)) {}
 
 void FitJob::run() {
     m_model = fit_face(m_scan, m_landmarks, &m_progress, m_options);
@@ -28,6 +29,10 @@ void FitJob::run() {
         }
     }
     m_net = fitted_net(*m_model);
+    m_scene = std::make_unique<FaceScene>(m_model->scan, m_texture);
+    m_scene->set_face(m_model, simulator->system().model.springs, simulator->system().chains);
+    m_places = std::make_shared<const LandmarksOnSkin>(m_model);
+    m_bvh = Bvh(m_model->skin.mesh);
     m_simulator = std::move(simulator);
 }
 

@@ -54,20 +54,24 @@ LandmarkEditor::LandmarkEditor(FaceDocument& document, FaceView& view, LandmarkP
 
 LandmarkEditor::~LandmarkEditor() = default;
 
-void LandmarkEditor::setFace(FittedNet net) {
-    m_job.reset();
-    m_detection.reset();
+void LandmarkEditor::setFace(FittedNet net, const Bvh& skin) {
+    retire(m_job);
+    retire(m_detection);
     m_panel.setDetecting(false);
     m_again = false;
     m_held = -1;
     m_view.setHandles({});
     m_net = std::move(net);
     m_netStale = true;
-    bind();
+    bind(skin);
+}
+
+void LandmarkEditor::bind() {
+    bind(m_document.model() ? Bvh(m_document.model()->skin.mesh) : Bvh());
 }
 
 /// Puts the landmarks onto the skin, so that they move with it.
-void LandmarkEditor::bind() {
+void LandmarkEditor::bind(const Bvh& bvh) {
     m_names.clear();
     m_where.clear();
     m_panel.setLandmarks(m_document.landmarks());
@@ -77,7 +81,6 @@ void LandmarkEditor::bind() {
         return;
     }
     const TriangleMesh& skin = m_document.model()->skin.mesh;
-    const Bvh bvh(skin);
     for (const auto& [name, landmark] : m_document.landmarks()) {
         m_names.push_back(name);
         m_where.push_back(bvh.closest_point(skin, landmark.position).where);
@@ -190,6 +193,7 @@ void LandmarkEditor::detect() {
     if (!m_document.opened() || m_detection) {
         return;
     }
+    retire(m_detection);
     m_detection = std::make_unique<DetectJob>(m_document.opened()->scan);
     connect(m_detection.get(), &DetectJob::finished, this, &LandmarkEditor::detected);
     m_panel.setDetecting(true);
@@ -226,7 +230,8 @@ void LandmarkEditor::refit() {
     const auto& model = m_document.model();
     Points shape = model ? shape_of_scan(*model, m_document.skinRest()) : Points(3, 0);
     m_job = std::make_unique<FitJob>(m_document.opened()->scan, m_document.landmarks(),
-                                     m_document.fit(), m_document.contractions(), std::move(shape));
+                                     m_document.fit(), m_document.contractions(), std::move(shape),
+                                     m_document.opened()->texture);
     connect(m_job.get(), &FitJob::finished, this, &LandmarkEditor::jobFinished);
     m_job->start();
 }
@@ -243,8 +248,9 @@ void LandmarkEditor::jobFinished() {
     }
     m_net = job->net();
     m_netStale = true;
+    const Bvh skin = job->bvh();
     Q_EMIT fitted(*job);
-    bind();
+    bind(skin);
     Q_EMIT changed();
 }
 

@@ -32,7 +32,7 @@ public:
     LandmarkEditor& operator=(const LandmarkEditor&) = delete;
 
     /// A face was opened; the net of its fit, empty without one.
-    void setFace(FittedNet net);
+    void setFace(FittedNet net, const Bvh& skin);
     /// Draws markers and net into a scene whose skin stands at `positions`.
     void draw(SceneData& scene, const Points& positions);
     bool fitting() const { return m_job != nullptr || m_detection != nullptr; }
@@ -45,6 +45,7 @@ Q_SIGNALS:
 
 private:
     void bind();
+    void bind(const Bvh& skin);
     void push(Landmarks landmarks, const QString& text);
     void moved(int handle, const SurfacePoint& where, bool dropped);
     void accept(const std::string& name);

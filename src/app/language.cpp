@@ -17,6 +17,8 @@
 
 #include "myoface/face/landmarks.h"
 
+#include "sentences.h"
+
 namespace myoface {
 namespace {
 
@@ -113,7 +115,13 @@ void Language::choose(const QString& wanted) {
 }
 
 QString inWords(const std::string& english) {
-    return QCoreApplication::translate(kCoreWords, english.c_str());
+    const QString word = QCoreApplication::translate(kCoreWords, english.c_str());
+    if (!Language::instance().japanese() || word != QString::fromStdString(english)) {
+        return word;
+    }
+    static const Catalogue catalogue(QStringLiteral("ja"));
+    static const Sentences sentences(QStringLiteral("ja"), catalogue);
+    return sentences.find(word);
 }
 
 QString landmarkInWords(const std::string& name) {

@@ -17,11 +17,12 @@
 #include "compare_panel.h"
 #include "language.h"
 #include "main_window.h"
+#include "measure_panel.h"
 #include "theme.h"
 
 namespace {
 
-constexpr int kScreenshotLimit = 120000;  // [ms]
+constexpr int kScreenshotLimit = 600000;  // [ms], for slow machines without a graphics card
 
 /// Whether this computer draws OpenGL 3.3 at all; a window without it would abort.
 bool hasOpenGl() {
@@ -40,6 +41,10 @@ bool hasOpenGl() {
 /// Saves the whole window once it has come to rest, then ends.
 void saveAndQuit(myoface::MainWindow& window, const QString& file) {
     QTimer::singleShot(400, &window, [&window, file] {  // a last frame with everything in place
+        if (!window.settled()) {                        // soft shadows are still on their way
+            saveAndQuit(window, file);
+            return;
+        }
         QApplication::sendPostedEvents();  // layouts that a busy machine has not come to yet
         QApplication::processEvents();
         const bool saved = window.grab().save(file);
@@ -54,6 +59,8 @@ void showComparison(myoface::MainWindow& window, const QString& mode) {
     myoface::ComparePanel& panel = window.comparePanel();
     if (mode == QLatin1String("map")) {
         panel.setMap(true);
+    } else if (mode == QLatin1String("sides")) {
+        panel.setSides(true);
     } else {
         panel.setMode(mode == QLatin1String("side")    ? myoface::CompareMode::SideBySide
                       : mode == QLatin1String("wipe")  ? myoface::CompareMode::Wipe
@@ -115,7 +122,7 @@ int main(int argc, char** argv) {
                                   QObject::tr("scan, fit, shape, expression, compare or report"),
                                   QStringLiteral("name"));
     const QCommandLineOption compare(QStringLiteral("compare"),
-                                     QObject::tr("off, side, wipe, ghost or map"),
+                                     QObject::tr("off, side, wipe, ghost, map or sides"),
                                      QStringLiteral("mode"));
     const QCommandLineOption language(QStringLiteral("language"), QObject::tr("en or ja"),
                                       QStringLiteral("code"));
@@ -123,8 +130,14 @@ int main(int argc, char** argv) {
                                    QStringLiteral("name"));
     const QCommandLineOption size(QStringLiteral("size"), QObject::tr("of the window [px]"),
                                   QStringLiteral("WxH"));
-    parser.addOptions({screenshot, muscle, strength, expression, skinAge, layers, view, landmarks,
-                       panel, step, compare, language, theme, size});
+    const QCommandLineOption views(QStringLiteral("views"),
+                                   QObject::tr("1, 2 or 4 sides of the face at once"),
+                                   QStringLiteral("number"));
+    const QCommandLineOption section(QStringLiteral("section"),
+                                     QObject::tr("a level cut through this landmark"),
+                                     QStringLiteral("landmark"));
+    parser.addOptions({views, section, screenshot, muscle, strength, expression, skinAge, layers, view,
+                       landmarks, panel, step, compare, language, theme, size});
     parser.process(application);
 
     myoface::Settings settings = myoface::Settings::read();
@@ -218,6 +231,19 @@ int main(int argc, char** argv) {
             if (parser.isSet(panel)) {
                 window.showPanel(parser.value(panel));
             }
+            if (parser.isSet(section)) {
+                const auto& places = window.document().landmarks();
+                const auto found = places.find(parser.value(section).toStdString());
+                if (found != places.end()) {
+                    window.measures().sections().place(found->second.position);
+                }
+            }
+            if (parser.isSet(views)) {
+                const int number = parser.value(views).toInt();
+                window.setViews(number == 4   ? myoface::ViewLayout::Four
+                                : number == 2 ? myoface::ViewLayout::Two
+                                              : myoface::ViewLayout::One);
+            }
             if (parser.isSet(view)) {
                 window.view().showStandardView(parser.value(view));
             }
@@ -242,7 +268,7 @@ int main(int argc, char** argv) {
                              QApplication::exit(1);
                          });
         QTimer::singleShot(kScreenshotLimit, &window, [] {
-            std::fputs("myoface: the face did not come to rest in two minutes.\n", stderr);
+            std::fputs("myoface: the face did not come to rest in ten minutes.\n", stderr);
             QApplication::exit(1);
         });
     }

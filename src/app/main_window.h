@@ -30,6 +30,7 @@ class JournalKeeper;
 class LandmarkEditor;
 class LandmarkGuide;
 class LandmarkPanel;
+class LandmarksOnSkin;
 class LayerPanel;
 class MeasurePanel;
 class MusclePanel;
@@ -39,6 +40,7 @@ class PlanFiles;
 class ReportPanel;
 class ScanFrameEditor;
 class ScanPanel;
+class ShadeJob;
 class ShapePanel;
 class ShapeTools;
 struct OpenResult;
@@ -77,12 +79,16 @@ public:
     /// Years of the skin that wrinkles, held within what there is.
     void setSkinAge(double years);
     void setLayers(const LayerOpacity& layers);
+    /// One, two or four sides of the face.
+    void setViews(ViewLayout layout);
     FaceFiles& files() { return *m_files; }
     PlanFiles& plans() { return *m_plans; }
     Comparison& comparison() { return *m_comparison; }
     ComparePanel& comparePanel() { return *m_comparePanel; }
     MeasurePanel& measures() { return *m_measures; }
     JournalKeeper& journal() { return *m_journal; }
+    void exportFace();
+    void exportAnimation(const QString& motion);
     /// Writes a report of the face as it stands, beside the window.
     void exportReport(const QString& path);
     /// Brings the landmarks panel to the front, markers and fitted net on.
@@ -113,60 +119,74 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    // In window_menus.cpp.
+    // In window_menus.cpp and window_bars.cpp.
     void buildActions();
     void buildFileMenu();
     void buildEditMenu();
     void buildViewMenu();
+    void buildLayouts(QMenu& view);
     void buildHelpMenu();
     void buildSteps();
     void buildTools();
+    void nextLayout();
     void showShortcuts();
     void about();
     void refreshIcons();
     void refreshShortcutTips();
 
+    // In window_panels.cpp.
     void buildDocks();
-    void widenPanels();
     void buildStatusBar();
+    void widenPanels();
+    /// A bar with Cancel for work beside the window.
+    void showWork(const QString& what);
+    void showShare(int percent);
+    void hideWork();
+    void showHints();
+    void placeHints();
+    void presentToPatient();
+
+    // In window_opening.cpp.
+    void reopen(const OpenOptions& options);
+    void startJob(const QString& path, const struct OpenOptions& options);
+    void begin(std::unique_ptr<OpenJob> job);
+    void jobFinished();
+    void showFace(OpenResult& result);
+    void showRefitted(FitJob& job);
+    void dropScene();
+    void takeScene(Bvh bvh, const std::shared_ptr<const LandmarksOnSkin>& places);
+    void shade();
+    void landmarksPlaced();
+    void endPicking();
+    void askDistance(double measured);
+    bool unsaved();
+    void leaveThen(const std::function<void()>& then);
+
+    // In window_edits.cpp.
+    void showMuscles();
+    void setMuscles(MuscleSetting setting, const std::string& muscle, double value);
+    void pushExpression(std::vector<double> rates, const std::string& name, double left,
+                        double right, int gesture);
+    void weaken(const std::string& preset, bool left, bool right);
+    void restMuscles();
+    void resetFace();
+    void nameWhatIsThere(const ViewRay& ray, const std::optional<SurfacePoint>& where);
+
     void connectDocument();
     void connectPanels();
     void connectView();
     void connectFrameEditor();
     void connectShapeTools();
-    void endPicking();
-    void askDistance(double measured);
-    void reopen(const OpenOptions& options);
-    void startJob(const QString& path, const struct OpenOptions& options);
     void askAndOpen(const OpenJob& job);
     void protectCase();
-    void begin(std::unique_ptr<OpenJob> job);
-    bool mayLeave();
-    void dropScene();
-    void takeScene();
     void colourScene();
-    void showMuscles();
-    void setMuscles(MuscleSetting setting, const std::string& muscle, double value);
-    void drawStrokes(const SimSnapshot& shown);
-    void placeHints();
-    void jobFinished();
-    void showFace(OpenResult& result);
-    void landmarksPlaced();
-    void showRefitted(FitJob& job);
-    void drawOver();
     void showSnapshot();
-    void resetFace();
-    void restMuscles();
-    void pushExpression(std::vector<double> rates, const std::string& name, double left,
-                        double right, int gesture);
     void chooseExpression(const std::string& name, double left, double right, int gesture,
                           bool fresh);
     void changePresets(const QString& chosen, const std::function<void()>& change);
-    void nameWhatIsThere(const ViewRay& ray, const std::optional<SurfacePoint>& where);
     void showAgain();
-    void weaken(const std::string& preset, bool left, bool right);
-    void presentToPatient();
-    void showHints();
+    void drawOver();
+    void drawStrokes(const SimSnapshot& shown);
     void complain(const QString& sentence);
     void inWorker(const std::function<void(SimulationWorker&)>& call);
 
@@ -196,6 +216,7 @@ private:
     QString m_step;
     QHash<QString, QByteArray> m_layouts;  ///< of docks, by step
     QActionGroup* m_stepActions = nullptr;
+    QActionGroup* m_viewLayouts = nullptr;
     QLabel* m_state = nullptr;
     QLabel* m_aid = nullptr;
     QLabel* m_hints = nullptr;
@@ -205,12 +226,14 @@ private:
     QThread m_thread;
     SimulationWorker* m_worker = nullptr;
     std::unique_ptr<OpenJob> m_job;
+    std::unique_ptr<ShadeJob> m_shading;
     std::shared_ptr<const SimSnapshot> m_shown;
     int m_springs = 0;                     ///< of the face that is shown
     int m_nodes = 0;                       ///< of its model, muscle chains in
     std::vector<double> m_expressionBase;  ///< what the muscles did before the chosen preset
     QString m_lastProblem;
     bool m_settled = true;
+    bool m_mayClose = false;
 };
 
 }  // namespace myoface

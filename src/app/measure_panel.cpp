@@ -19,7 +19,7 @@
 #include "myoface/base/error.h"
 #include "myoface/face/face_model.h"
 #include "myoface/io/text_file.h"
-#include "myoface/mesh/cross_section.h"
+#include "myoface/measure/volume.h"
 #include "myoface/scene/strokes.h"
 
 #include "language.h"
@@ -84,24 +84,6 @@ QString kindInWords(const Measure& measure) {
     }
 }
 
-/// The skin that is seen, without linings of mouth, nose and lids.
-Triangles outside(const FaceModel& face) {
-    const Triangles& all = face.skin.mesh.triangles;
-    Triangles kept(3, all.cols());
-    Eigen::Index count = 0;
-    for (Eigen::Index t = 0; t < all.cols(); ++t) {
-        bool skin = true;
-        for (int c = 0; c < 3; ++c) {
-            skin = skin && face.label[static_cast<std::size_t>(all(c, t))].tissue != Tissue::Mucosa;
-        }
-        if (skin) {
-            kept.col(count++) = all.col(t);
-        }
-    }
-    kept.conservativeResize(3, count);
-    return kept;
-}
-
 }  // namespace
 
 MeasurePanel::MeasurePanel(QWidget* parent) : QWidget(parent) {
@@ -141,10 +123,15 @@ MeasurePanel::MeasurePanel(QWidget* parent) : QWidget(parent) {
     m_tree->header()->setMinimumSectionSize(44);
     m_tree->headerItem()->setTextAlignment(kNorm, Qt::AlignCenter);
     split->addWidget(m_tree);
-    m_profile = new ProfilePlot;
-    split->addWidget(m_profile);
+    m_plots = new QTabWidget;
+    m_plots->setDocumentMode(true);
+    m_sections = new SectionView;
+    m_volumes = new VolumePlot;
+    m_plots->addTab(m_sections, tr("Section"));
+    m_plots->addTab(m_volumes, tr("Volumes"));
+    split->addWidget(m_plots);
     split->setStretchFactor(0, 3);
-    split->setStretchFactor(1, 1);
+    split->setStretchFactor(1, 2);
     column->addWidget(split, 1);
     auto* buttons = new QHBoxLayout;
     auto* copyButton = new QPushButton(tr("Copy"));
@@ -158,6 +145,17 @@ MeasurePanel::MeasurePanel(QWidget* parent) : QWidget(parent) {
     connect(copyButton, &QPushButton::clicked, this, &MeasurePanel::copy);
     connect(save, &QPushButton::clicked, this, &MeasurePanel::exportFile);
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &MeasurePanel::chosen);
+    connect(m_plots, &QTabWidget::currentChanged, this, [this] {
+        fillPlots();
+        Q_EMIT chosen();
+    });
+    connect(m_sections, &SectionView::changed, this, [this] {
+        showSections();
+        fillPlots();
+        Q_EMIT chosen();
+    });
+    connect(m_sections, &SectionView::message, this, &MeasurePanel::message);
+    connect(m_sections, &SectionView::problem, this, &MeasurePanel::problem);
     const auto other = [this] {
         fill();
         Q_EMIT populationChanged();
@@ -180,14 +178,15 @@ void MeasurePanel::setPopulation(const Population& population) {
     m_sex->setCurrentIndex(!population.sex ? 0 : *population.sex == Sex::Female ? 1 : 2);
 }
 
-void MeasurePanel::setFace(std::shared_ptr<const FaceModel> face) {
+void MeasurePanel::setFace(std::shared_ptr<const FaceModel> face,
+                           std::shared_ptr<const LandmarksOnSkin> places) {
     m_face = std::move(face);
-    m_places = m_face ? std::make_unique<LandmarksOnSkin>(m_face) : nullptr;
-    m_outside = m_face ? outside(*m_face) : Triangles(3, 0);
+    m_places = std::move(places);
     m_before.resize(3, 0);
     m_rows.clear();
     m_tree->clear();
-    m_profile->setOutlines({}, {});
+    m_sections->setFace(m_face);
+    m_volumes->setVolumes({});
     setEnabled(m_face != nullptr);
 }
 
@@ -209,7 +208,7 @@ void MeasurePanel::fill() {
     m_asymmetryBefore = asymmetries(m_places->at(m_before), m_face->midplane);
     m_asymmetryNow = asymmetries(m_places->at(m_now), m_face->midplane);
     fillTree();
-    showProfile(m_before, m_now);
+    fillPlots();
 }
 
 void MeasurePanel::fillTree() {
@@ -270,34 +269,26 @@ void MeasurePanel::fillTree() {
     }
 }
 
-void MeasurePanel::showProfile(const Points& before, const Points& now) {
-    const TriangleMesh& skin = m_face->skin.mesh;
-    const Vec3 front = m_face->axes.col(2);
-    const Vec3 up = m_face->axes.col(1);
-    const auto nose = m_face->landmarks.find("prn");
-    const Vec3 centre =
-        nose != m_face->landmarks.end() ? nose->second.position : m_face->midplane.point;
-    const auto outline = [&](const Points& nodes) {
-        QVector<QLineF> lines;
-        for (const auto& [a, b] :
-             cross_section({nodes, m_outside}, m_face->midplane.point, m_face->midplane.normal)) {
-            const auto flat = [&](const Vec3& p) {
-                return QPointF(-front.dot(p - centre), up.dot(p - centre));
-            };
-            const QPointF p = flat(a);
-            const QPointF q = flat(b);
-            if (p.x() < 48.0 && p.y() < 85.0 && p.y() > -95.0) {
-                lines.append(QLineF(p, q));
-            }
-        }
-        return lines;
-    };
-    m_profile->setOutlines(outline(before.leftCols(skin.vertices.cols())), outline(now));
+void MeasurePanel::fillPlots() {
+    if (!m_face || m_before.cols() == 0) {
+        return;
+    }
+    m_sections->show(m_before.leftCols(m_face->node_count()), m_now);
+    if (m_volumes->isVisible()) {
+        m_volumes->setVolumes(
+            volume_by_region(*m_face, m_before.leftCols(m_face->node_count()), m_now));
+    }
 }
 
 void MeasurePanel::draw(SceneData& scene, const Points& now) const {
     const QList<QTreeWidgetItem*> selected = m_tree->selectedItems();
-    if (!m_places || selected.isEmpty() || !isVisible()) {
+    if (!m_places || !isVisible()) {
+        return;
+    }
+    if (m_sections->kind() != SectionView::Profile) {  // one that was asked for
+        m_sections->draw(scene);
+    }
+    if (selected.isEmpty()) {
         return;
     }
     const int at = selected.first()->data(kTitle, kRow).toInt();

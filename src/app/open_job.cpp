@@ -31,7 +31,17 @@ void OpenJob::open() {
                    : open_face(m_path.toStdString(), m_options, &m_progress));
     if (find_missing_landmarks(*opened, &m_progress)) {
         m_result.simulator = make_simulator(*opened, {}, &m_progress);
-        m_result.net = fitted_net(m_result.simulator->face());
+        const auto model = m_result.simulator->shared_face();
+        const FaceMassSpring& system = m_result.simulator->system();
+        m_result.net = fitted_net(*model);
+        m_progress.report("drawing", 0.95);
+        m_result.scene = std::make_unique<FaceScene>(model->scan, opened->texture);
+        m_result.scene->set_face(model, system.model.springs, system.chains);
+        m_result.places = std::make_shared<const LandmarksOnSkin>(model);
+        m_result.bvh = Bvh(model->skin.mesh);
+    } else {
+        m_result.scene = std::make_unique<FaceScene>(opened->scan, opened->texture);
+        m_result.bvh = Bvh(opened->scan->mesh);
     }
     m_result.opened = std::move(opened);
 }

@@ -7,6 +7,9 @@
 #include "myoface/cases/case_file.h"
 #include "myoface/cases/journal.h"
 #include "myoface/face/fitted_net.h"
+#include "myoface/measure/landmarks_on_skin.h"
+#include "myoface/mesh/bvh.h"
+#include "myoface/scene/face_scene.h"
 
 #include "background_job.h"
 
@@ -17,6 +20,9 @@ struct OpenResult {
     std::shared_ptr<const OpenedFace> opened;
     std::unique_ptr<Simulator> simulator;
     FittedNet net;
+    std::unique_ptr<FaceScene> scene;
+    std::shared_ptr<const LandmarksOnSkin> places;
+    Bvh bvh;  ///< of the skin, or of the scan that was not fitted
 };
 
 /// Reads and fits a face beside the window, with progress and cancel.

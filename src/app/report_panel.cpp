@@ -43,7 +43,7 @@ ReportPanel::ReportPanel(QWidget* parent) : QWidget(parent) {
     m_notes->setTabChangesFocus(true);
     inside->addWidget(m_notes);
     column->addWidget(notes);
-    m_anonymous = new QCheckBox(tr("Anonymous: no skin texture, a bar over the eyes"));
+    m_anonymous = new QCheckBox(tr("Anonymous: no skin texture, no name, a bar over the eyes"));
     column->addWidget(m_anonymous);
     m_report = new QPushButton(tr("Write the report (PDF)…"));
     m_report->setObjectName(QStringLiteral("writeReport"));
@@ -59,9 +59,15 @@ ReportPanel::ReportPanel(QWidget* parent) : QWidget(parent) {
     add(tr("Save case…"), tr("Scan, fit, plan, variants and notes in one file"),
         &ReportPanel::caseAsked);
     add(tr("Picture…"), tr("The view as it is, as PNG"), &ReportPanel::pictureAsked);
-    add(tr("Turning pictures…"), tr("A folder with pictures all around the head, as PNG"),
+    add(tr("Head turning…"),
+        tr("A film all around the head: PNG pictures in a folder, or GIF or MP4 where ffmpeg or "
+           "ImageMagick is installed"),
         &ReportPanel::turntableAsked);
-    add(tr("Face as mesh…"), tr("OBJ, PLY, GLB, or STL for printing"), &ReportPanel::faceAsked);
+    add(tr("Expression moving…"),
+        tr("A film from rest to the face as it is and back: PNG pictures, GIF or MP4"),
+        &ReportPanel::expressionAsked);
+    add(tr("Face as mesh…"), tr("OBJ, PLY, GLB, or STL for printing; anonymous: STL alone"),
+        &ReportPanel::faceAsked);
     column->addWidget(other);
     auto* aid =
         new QLabel(tr("A planning and communication aid, not a medical device: what is "

@@ -31,6 +31,7 @@ Q_SIGNALS:
     void reportAsked();
     void pictureAsked();
     void turntableAsked();
+    void expressionAsked();
     void faceAsked();
     void caseAsked();
 

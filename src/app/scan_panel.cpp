@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "language.h"
 #include "panel_layout.h"
 #include "theme.h"
 
@@ -160,7 +161,7 @@ void ScanPanel::setFace(const OpenedFace& face, const FaceModel* model, int spri
 
     QString notes;
     for (const std::string& note : r.notes) {
-        notes += QStringLiteral("<p>%1</p>").arg(QString::fromStdString(note).toHtmlEscaped());
+        notes += QStringLiteral("<p>%1</p>").arg(inWords(note).toHtmlEscaped());
     }
     m_notes->setText(notes);
 }

@@ -73,13 +73,11 @@ ShapeTools::ShapeTools(FaceDocument& document, FaceView& view, ShapePanel& panel
     connect(&document, &FaceDocument::protectionChanged, this, &ShapeTools::protectionChanged);
 }
 
-void ShapeTools::setScene(FaceScene* scene) {
+void ShapeTools::setScene(FaceScene* scene, std::shared_ptr<const LandmarksOnSkin> places) {
     m_scene = scene;
     m_under.reset();
     m_gripped.reset();
-    m_landmarks = scene != nullptr && m_document.model()
-                      ? std::make_unique<LandmarksOnSkin>(m_document.model())
-                      : nullptr;
+    m_landmarks = std::move(places);
     protectionChanged();
     m_panel.setEnabled(m_document.model() != nullptr);
     m_panel.say({});

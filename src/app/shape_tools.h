@@ -30,7 +30,7 @@ public:
                QObject* parent = nullptr);
 
     /// Another face, or the same one fitted anew; null: none.
-    void setScene(FaceScene* scene);
+    void setScene(FaceScene* scene, std::shared_ptr<const LandmarksOnSkin> places = nullptr);
     /// Whether the skin's colours are the hand's: else something else paints them.
     void setPaints(bool paints);
     /// Ring, grabbed point, force and what is protected.
@@ -64,7 +64,7 @@ private:
     ShapePanel& m_panel;
     InWorker m_inWorker;
     FaceScene* m_scene = nullptr;
-    std::unique_ptr<LandmarksOnSkin> m_landmarks;
+    std::shared_ptr<const LandmarksOnSkin> m_landmarks;
     std::optional<SurfacePoint> m_under;    ///< the cursor
     std::optional<SurfacePoint> m_gripped;  ///< last: nudging goes on with it
     Eigen::VectorXd m_protection;           ///< with the stroke that is going on

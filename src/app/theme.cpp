@@ -42,7 +42,11 @@ QString sheet(const Tones& t) {
         " border-radius: 7px; background: @knob; }"
         "QSlider::handle:horizontal:hover { background: @over; }"
         "QSlider::handle:horizontal:disabled { background: @disabled; }"
-        "QTabBar::tab { padding: 6px 12px; }"
+        "QTabWidget::pane { border: 0; }"
+        "QTabBar { qproperty-drawBase: 0; }"
+        "QTabBar::tab { padding: 6px 14px; border: 0; border-radius: 4px; margin-right: 4px; }"
+        "QTabBar::tab:hover { background: @hover; }"
+        "QTabBar::tab:selected { background: @checked; }"
         "QToolTip { color: @text; background: @button; border: 1px solid @groove; padding: 4px; }"
         "QScrollArea { border: 0; }");
     const std::pair<const char*, const char*> names[] = {

@@ -16,6 +16,8 @@ void add_simulate(CLI::App& app);
 void add_replay(CLI::App& app);
 void add_render(CLI::App& app);
 void add_report(CLI::App& app);
+void add_animate(CLI::App& app);
+void add_section(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_bench(CLI::App& app);
 

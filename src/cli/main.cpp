@@ -36,6 +36,8 @@ int main(int argc, char** argv) {
         myoface::cli::add_replay(app);
         myoface::cli::add_render(app);
         myoface::cli::add_report(app);
+        myoface::cli::add_animate(app);
+        myoface::cli::add_section(app);
         myoface::cli::add_convert(app);
         myoface::cli::add_bench(app);
         app.parse(argc, argv);

@@ -15,6 +15,7 @@ namespace {
 
 struct Arguments {
     FaceArguments face;
+    EditArguments edits;
     PopulationArguments population;
     std::string compare, output;
 };
@@ -58,19 +59,47 @@ Landmarks other_landmarks(const Arguments& a, const OpenedFace& face, const Land
     return landmarks_of(other);
 }
 
-void measure(const Arguments& a) {
+/// A face against another one.
+std::string compared(const Arguments& a, bool csv) {
     OpenedFace face = a.face.open();
     const Landmarks here = landmarks_of(face);
-    std::optional<Landmarks> other;
-    if (!a.compare.empty()) {
-        other = other_landmarks(a, face, here);
-    }
+    const Landmarks other = other_landmarks(a, face, here);
     const Population population = a.population.chosen();
-    const std::vector<Measurement> rows = measure_all(here, other ? &*other : nullptr, population);
+    const std::vector<Measurement> rows = measure_all(here, &other, population);
+    return csv ? measurements_csv(rows)
+               : measurements_json(rows, asymmetries(here, midplane_of(here)), population);
+}
+
+/// A face as the window measures it: before and, where something has changed, now.
+std::string measured_alone(const Arguments& a, bool csv) {
+    const RecordedPlan plan = a.edits.edits();
+    OpenedFace opened = a.face.open();
+    if (!find_missing_landmarks(opened)) {
+        throw InvalidInput(opened.name +
+                           ": no face was found on it; give its landmarks with --landmarks.");
+    }
+    const auto simulator = make_simulator(opened);
+    run_plan(*simulator, plan_on(simulator->face(), plan));
+    simulator->settle();
+    const std::shared_ptr<const FaceModel> face = simulator->shared_face();
+    const LandmarksOnSkin places(face);
+    const Population population = a.population.chosen();
+    std::vector<Measurement> rows =
+        measure_all(places, face->skin.mesh.vertices, simulator->state().positions, population);
+    if (plan.edits.empty() && opened.state.shape.cols() == 0 && opened.state.rates.empty()) {
+        for (Measurement& row : rows) {
+            row.other.reset();
+        }
+    }
+    return csv ? measurements_csv(rows)
+               : measurements_json(
+                     rows, asymmetries(places.at(simulator->state().positions), face->midplane),
+                     population);
+}
+
+void measure(const Arguments& a) {
     const bool csv = std::filesystem::path(a.output).extension() == ".csv";
-    write_text(a.output,
-               csv ? measurements_csv(rows)
-                   : measurements_json(rows, asymmetries(here, midplane_of(here)), population));
+    write_text(a.output, a.compare.empty() ? measured_alone(a, csv) : compared(a, csv));
 }
 
 }  // namespace
@@ -79,6 +108,7 @@ void add_measure(CLI::App& app) {
     auto* command = app.add_subcommand("measure", "Distances and angles beside their norms");
     auto a = std::make_shared<Arguments>();
     a->face.add_to(*command);
+    a->edits.add_to(*command);
     a->population.add_to(*command);
     command->add_option("--compare", a->compare, "another face, measured beside this one");
     command->add_option("-o", a->output, "JSON or CSV file, instead of standard output");

@@ -134,6 +134,7 @@ void render(const Arguments& a) {
         scene.show(snapshot_of(*simulator));
         shown = simulator->scan_vertices();
     }
+    scene.shade();
     scene.show_loose_parts(!a.no_loose_parts);
     if (!(a.cut_away >= 0.0 && a.cut_away <= 1.0)) {
         throw InvalidInput("The cut-away must lie between 0 and 1.");

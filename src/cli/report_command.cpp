@@ -14,6 +14,7 @@
 #include "commands.h"
 #include "face_arguments.h"
 #include "picture.h"
+#include "portrait.h"
 #include "report.h"
 
 namespace myoface::cli {
@@ -32,42 +33,6 @@ std::string today() {
     char text[16];
     std::strftime(text, sizeof text, "%Y-%m-%d", std::localtime(&now));
     return text;
-}
-
-/// A black bar from the outermost to the innermost corner of the eyes that the picture shows.
-void cover_eyes(Image& picture, const Camera& camera, const Landmarks& landmarks) {
-    constexpr double kAround = 14.0;  // [mm]
-    const Vec3 right = camera.orientation * Vec3::UnitX();
-    const Vec3 up = camera.orientation * Vec3::UnitY();
-    double left = picture.width;
-    double most = 0.0;
-    double top = picture.height;
-    double bottom = 0.0;
-    for (const char* name : {"en_l", "en_r", "ex_l", "ex_r"}) {
-        const auto found = landmarks.find(name);
-        if (found == landmarks.end()) {
-            continue;
-        }
-        for (const double side : {-1.0, 1.0}) {
-            const PixelPoint p =
-                project(camera, found->second.position + side * kAround * (right + up),
-                        picture.width, picture.height);
-            left = std::min(left, p.x);
-            most = std::max(most, p.x);
-            top = std::min(top, p.y);
-            bottom = std::max(bottom, p.y);
-        }
-    }
-    for (int y = std::max(0, static_cast<int>(top));
-         y < std::min(picture.height, static_cast<int>(bottom)); ++y) {
-        for (int x = std::max(0, static_cast<int>(left));
-             x < std::min(picture.width, static_cast<int>(most)); ++x) {
-            std::uint8_t* pixel = &picture.rgba[4 * (static_cast<std::size_t>(y) *
-                                                         static_cast<std::size_t>(picture.width) +
-                                                     static_cast<std::size_t>(x))];
-            std::fill(pixel, pixel + 3, std::uint8_t{12});
-        }
-    }
 }
 
 /// The face from one side, as a picture for paper.
@@ -107,6 +72,7 @@ void add_pictures(Report& report, const Simulator& simulator, const OpenedFace& 
     }
     scene.set_face(simulator.shared_face(), simulator.system().model.springs,
                    simulator.system().chains);
+    scene.shade();
     const Landmarks& landmarks = simulator.face().landmarks;
     for (const auto& [view, caption] :
          {std::pair("front", "front"), std::pair("three-quarter-left", "three-quarter"),
@@ -173,8 +139,8 @@ void make_report(const Arguments& a) {
     run_plan(*simulator, plan_on(simulator->face(), plan));
     if (simulator->dragging()) {
         simulator->end_drag(false);
-        simulator->settle();
     }
+    simulator->settle();
     Report report;
     report.language = a.language;
     report.title = a.title;

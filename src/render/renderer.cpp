@@ -13,7 +13,7 @@
 namespace myoface {
 namespace {
 
-enum Attribute : unsigned { kPosition, kNormal, kColour, kUv, kCavity, kTint };
+enum Attribute : unsigned { kPosition, kNormal, kColour, kUv, kCavity, kTint, kVisibility, kRest };
 
 unsigned compile(unsigned kind, const std::string& file) {
     const std::string text = read_file(resource_path(file));
@@ -109,7 +109,7 @@ void Renderer::initialise() {
     background_program_ = link("background");
     marker_program_ = link("marker");
     glGenVertexArrays(1, &empty_array_);
-    topology_ = motion_ = net_version_ = tint_version_ = ~std::uint64_t{0};
+    topology_ = motion_ = net_version_ = tint_version_ = shade_version_ = ~std::uint64_t{0};
 }
 
 void Renderer::release() {
@@ -119,8 +119,8 @@ void Renderer::release() {
         *program = 0;
     }
     for (Surface& s : surfaces_) {
-        for (unsigned* buffer :
-             {&s.positions, &s.normals, &s.colours, &s.cavity, &s.uv, &s.indices, &s.tint}) {
+        for (unsigned* buffer : {&s.positions, &s.normals, &s.colours, &s.cavity, &s.uv, &s.indices,
+                                 &s.tint, &s.visibility, &s.rest}) {
             glDeleteBuffers(1, buffer);
         }
         glDeleteTextures(1, &s.texture);
@@ -146,6 +146,7 @@ void Renderer::upload_fixed(Surface& surface, const SurfaceLayer& layer) {
     fill(surface.normals, kNormal, 3, layer.normals, GL_DYNAMIC_DRAW);
     fill(surface.colours, kColour, 3, layer.colours, GL_STATIC_DRAW);
     fill(surface.cavity, kCavity, 1, layer.cavity, GL_DYNAMIC_DRAW);
+    fill(surface.rest, kRest, 3, layer.rest, GL_STATIC_DRAW);
     fill(surface.uv, kUv, 2, layer.uv, GL_STATIC_DRAW);
     fill_indices(surface.indices, layer.indices);
     surface.count = static_cast<int>(layer.indices.size());
@@ -208,6 +209,11 @@ void Renderer::draw(const SceneData& scene, const Camera& camera, const Pane& pa
         need_array(surfaces_[kSkin].array);
         fill(surfaces_[kSkin].tint, kTint, 4, scene.skin.tint, GL_DYNAMIC_DRAW);
         tint_version_ = scene.tint_version;
+    }
+    if (scene.topology != topology_ || scene.shade_version != shade_version_) {
+        need_array(surfaces_[kSkin].array);
+        fill(surfaces_[kSkin].visibility, kVisibility, 4, scene.skin.visibility, GL_STATIC_DRAW);
+        shade_version_ = scene.shade_version;
     }
     if (scene.net_version != net_version_) {
         upload(lines_[2], scene.net);
@@ -294,7 +300,12 @@ void Renderer::draw_surface(const Surface& surface, const SurfaceLayer& layer, b
     set(skin_program_, "hasColours", surface.has_colours && (style.textured || !is_skin));
     set(skin_program_, "hasTexture", surface.texture != 0 && (style.textured || !is_skin));
     set(skin_program_, "clinical", style.clinical_light);
+    const bool coloured = (surface.has_colours || surface.texture != 0) && style.textured;
+    const bool patterned = is_skin && layer.rest.cols() > 0;
+    set(skin_program_, "detail", patterned && !coloured ? 1.0F : 0.0F);
+    set(skin_program_, "relief", !patterned ? 0.0F : coloured ? 0.45F : 1.0F);
     glVertexAttrib1f(kCavity, 0.0F);
+    glVertexAttrib4f(kVisibility, 0.0F, 0.0F, 0.0F, 1.0F);
     glVertexAttrib4f(kTint, 0.0F, 0.0F, 0.0F, 0.0F);
     if (surface.texture != 0) {
         glActiveTexture(GL_TEXTURE0);

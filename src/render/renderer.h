@@ -36,7 +36,7 @@ public:
 private:
     struct Surface {
         unsigned array = 0, positions = 0, normals = 0, colours = 0, cavity = 0, uv = 0,
-                 indices = 0, texture = 0, tint = 0;
+                 indices = 0, texture = 0, tint = 0, visibility = 0, rest = 0;
         int count = 0;
         bool has_colours = false;
     };
@@ -61,6 +61,7 @@ private:
     std::array<Lines, 3> lines_;
     std::uint64_t net_version_ = 0;
     std::uint64_t tint_version_ = 0;
+    std::uint64_t shade_version_ = 0;
     std::uint64_t topology_ = ~std::uint64_t{0};
     std::uint64_t motion_ = ~std::uint64_t{0};
     Eigen::Matrix4f view_, projection_;

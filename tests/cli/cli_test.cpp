@@ -177,6 +177,52 @@ TEST(Fit, WritesCaseMusclesAndBone) {
         0);
 }
 
+TEST(Measure, TakesEditsAndSaysBeforeAndNow) {
+    const auto result = cli("measure " + face().scan + " --muscle zygomaticus_major=1");
+    ASSERT_EQ(result.code, 0) << result.err;
+    for (const auto& row : nlohmann::json::parse(result.out)["measures"]) {
+        if (row["id"] == "ch-ch") {
+            EXPECT_GT(row["difference"].get<double>(), 4.0);
+            EXPECT_NEAR(row["other"].get<double>() - row["value"].get<double>(),
+                        row["difference"].get<double>(), 1e-9);
+        }
+    }
+}
+
+TEST(Section, CutsBeforeAndNow) {
+    const std::string csv = (face().folder / "s.csv").string();
+    const auto made = cli("section " + face().scan +
+                          " --plane horizontal --at prn --muscle zygomaticus_major=1 -o " + csv);
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("Apart by up to"), std::string::npos);
+    const std::string lines = read_file(csv);
+    EXPECT_EQ(lines.rfind("state,line,right_mm,up_mm\n", 0), 0U);
+    EXPECT_NE(lines.find("\nnow,1,"), std::string::npos);
+    expect_refusal("section " + face().scan + " --at nowhere", 1, "no landmark 'nowhere'");
+    expect_refusal("section " + face().scan + " --plane tilted", 1, "none of profile, horizontal");
+    expect_refusal("section " + face().scan + " --plane horizontal --at 0,500,0", 1,
+                   "does not meet the face");
+}
+
+TEST(Animate, WritesPicturesAndRefusesOtherEndings) {
+    const std::filesystem::path film = face().folder / "film";
+    const auto made = cli("animate " + face().scan +
+                          " --motion expression --expression joy=1 --frames 4 --size 96x108 "
+                          "--anonymous -o " +
+                          film.string());
+    ASSERT_EQ(made.code, 0) << made.err;
+    const Image rest = read_image(film / "frame-000.png");
+    const Image smile = read_image(film / "frame-002.png");
+    EXPECT_EQ(rest.width, 96);
+    EXPECT_NE(rest.rgba, smile.rgba);
+    EXPECT_FALSE(std::filesystem::exists(film / "frame-004.png"));
+    expect_refusal("animate " + face().scan + " -o film.avi", 1, "a film is a .gif, an .mp4");
+    // Without an encoder it says so instead of drawing for minutes.
+    const Outcome none = run("PATH=/nowhere " MYOFACE_CLI, "animate " + face().scan + " -o f.mp4");
+    EXPECT_EQ(none.code, 1);
+    EXPECT_NE(none.err.find("give a folder instead"), std::string::npos) << none.err;
+}
+
 TEST(Bench, TellsWhatTheMachineDoes) {
     const auto run = cli("bench --json --vertices 3000");
     ASSERT_EQ(run.code, 0);

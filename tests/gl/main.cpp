@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
+#include "gui_watchdog.h"
+
 int main(int argc, char** argv) {
     QSurfaceFormat format;
     format.setVersion(3, 3);
@@ -16,7 +18,7 @@ int main(int argc, char** argv) {
     const QTemporaryDir home;  // nobody's settings and journals
     qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
     qputenv("XDG_DATA_HOME", home.filePath("data").toUtf8());
-    QApplication application(argc, argv);
+    myoface::test::WatchedApplication application(argc, argv);
     QApplication::setApplicationName("Myoface");
     QApplication::setOrganizationName("Myoface");
     std::setlocale(LC_NUMERIC, "C");

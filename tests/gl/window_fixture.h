@@ -26,15 +26,15 @@ protected:
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
     }
     void TearDown() override { window_.close(); }
-    void open(const QString& path) {
+    void open(const QString& path, int patience = kPatience) {
         QSignalSpy opened(&window_, &MainWindow::opened);
         QSignalSpy failed(&window_, &MainWindow::openFailed);
         window_.openPath(path);
         ASSERT_TRUE(
-            QTest::qWaitFor([&] { return opened.count() + failed.count() > 0; }, kPatience));
+            QTest::qWaitFor([&] { return opened.count() + failed.count() > 0; }, patience));
     }
-    bool settle() {
-        return QTest::qWaitFor([&] { return window_.settled(); }, kPatience);
+    bool settle(int patience = kPatience) {
+        return QTest::qWaitFor([&] { return window_.settled(); }, patience);
     }
     QPoint pixel(const std::string& landmark) {
         FaceView& view = window_.view();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,12 +36,18 @@ public:
     /// The same from colours per skin node.
     void tint_nodes(const Eigen::Matrix4Xf& of_nodes);
 
+    /// Soft shadows of the face on itself. @param of_vertices of light_visibility() of the scan
+    void set_visibility(const Eigen::Matrix4Xf& of_vertices);
+    /// The same, computed here: for pictures. Takes half a second.
+    void shade();
+
     /// Draws the parts of the scan beside the one that holds the face, or leaves them out.
     void show_loose_parts(bool shown);
 
-    /// The skin at another moment, as a picture that stays. @param nodes 3×nodes [mm]
-    std::unique_ptr<SceneData> still(const Points& nodes, const JawPose& jaw,
-                                     const Wrinkles& wrinkles = {}) const;
+    /// Makes the skin at another moment, as a picture that stays; may run in another thread while
+    /// this scene goes on or is gone. @param nodes 3×nodes [mm]
+    std::function<std::unique_ptr<SceneData>()> still(const Points& nodes, const JawPose& jaw,
+                                                      const Wrinkles& wrinkles = {}) const;
     /// Paints how far the skin has come out (orange) or gone in (blue) since `before`, along its
     /// normal there, up to `most` mm. @param before, now 3×nodes, the skin's first
     void tint_change(const Points& before, const Points& now, double most);

@@ -16,12 +16,14 @@ using FloatPoints = Eigen::Matrix3Xf;
 
 /// A shaded surface. Colours are sRGB in 0 … 1.
 struct SurfaceLayer {
-    FloatPoints positions;   ///< 3×N [mm]
-    FloatPoints normals;     ///< 3×N unit
-    FloatPoints colours;     ///< 3×N, or 3×0 for `plain_colour`
-    Eigen::Matrix4Xf tint;   ///< 4×N: colour times cover, and cover 0 … 1; or 4×0
-    Eigen::VectorXf cavity;  ///< N, 0 open … 1 deep in a fold; or empty
-    Eigen::Matrix2Xf uv;     ///< 2×N with `texture`, else 2×0
+    FloatPoints positions;        ///< 3×N [mm]
+    FloatPoints normals;          ///< 3×N unit
+    FloatPoints colours;          ///< 3×N, or 3×0 for `plain_colour`
+    Eigen::Matrix4Xf tint;        ///< 4×N: colour times cover, and cover 0 … 1; or 4×0
+    FloatPoints rest;             ///< 3×N [mm], where patterns of the skin are fixed; or 3×0
+    Eigen::Matrix4Xf visibility;  ///< 4×N of light_visibility(); or 4×0: open everywhere
+    Eigen::VectorXf cavity;       ///< N, 0 open … 1 deep in a fold; or empty
+    Eigen::Matrix2Xf uv;          ///< 2×N with `texture`, else 2×0
     std::shared_ptr<const Image> texture;
     Eigen::Vector3f plain_colour{0.80F, 0.62F, 0.53F};
     std::vector<std::uint32_t> indices;
@@ -69,7 +71,8 @@ struct SceneData {
     Vec3 centre = Vec3::Zero();
     double radius = 200.0;  ///< of everything visible around the centre [mm]
     std::uint64_t net_version = 0;
-    std::uint64_t tint_version = 0;  ///< of the skin's tint
+    std::uint64_t tint_version = 0;   ///< of the skin's tint
+    std::uint64_t shade_version = 0;  ///< of the skin's visibility
     std::uint64_t topology = 0;
     std::uint64_t motion = 0;
 };

@@ -99,8 +99,28 @@ std::string ZipReader::part(const std::string& part, bool needed) const {
     return bytes;
 }
 
+namespace {
+
+/// Lets a packing end that is not wanted any more.
+struct Watch {
+    const Progress* progress;
+    bool cancelled;
+
+    static int look(zip_t*, void* self) {
+        auto* watch = static_cast<Watch*>(self);
+        try {
+            watch->progress->report("packing", 0.5);
+        } catch (const Cancelled&) {
+            watch->cancelled = true;
+        }
+        return watch->cancelled ? 1 : 0;
+    }
+};
+
+}  // namespace
+
 std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& passphrase,
-                      const std::string& name) {
+                      const std::string& name, const Progress* progress) {
     const auto fail = [&] {
         return IoError(name + ": the case cannot be packed, memory may be short.");
     };
@@ -137,7 +157,14 @@ std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& pass
                           "passphrase.");
         }
     }
+    Watch watch{progress, false};
+    if (progress != nullptr) {
+        zip_register_cancel_callback_with_state(archive.get(), &Watch::look, nullptr, &watch);
+    }
     if (zip_close(archive.get()) != 0) {
+        if (watch.cancelled) {
+            throw Cancelled();
+        }
         throw fail();
     }
     archive.release();  // NOLINT: zip_close() has freed it

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "myoface/base/progress.h"
+
 struct zip;
 
 namespace myoface {
@@ -47,8 +49,8 @@ struct ZipPart {
 };
 /// A whole zip in memory, so that a file can appear whole or not at all.
 /// @param passphrase where not empty, parts are encrypted by AES-256 (WinZip AE-2)
-/// @throws IoError
+/// @throws IoError, Cancelled
 std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& passphrase,
-                      const std::string& name);
+                      const std::string& name, const Progress* progress = nullptr);
 
 }  // namespace myoface

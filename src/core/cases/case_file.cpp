@@ -231,7 +231,7 @@ OpenedFace read_case_bytes(std::string_view bytes, const std::string& name,
 }
 
 void write_case(const std::filesystem::path& file, const OpenedFace& opened,
-                const CaseState& state) {
+                const CaseState& state, const Progress* progress) {
     const StateParts state_parts = to_parts(state);
     json manifest = json::parse(state_parts.json);
     describe_face(opened, manifest);
@@ -253,7 +253,7 @@ void write_case(const std::filesystem::path& file, const OpenedFace& opened,
     for (const auto& [name, bytes] : state_parts.parts) {
         parts.push_back({name, bytes});
     }
-    write_file(file, zip_bytes(parts, opened.passphrase, file.string()),
+    write_file(file, zip_bytes(parts, opened.passphrase, file.string(), progress),
                Durability::SurvivesPowerLoss);
 }
 

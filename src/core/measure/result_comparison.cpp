@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "myoface/base/error.h"
 #include "myoface/base/parallel.h"
@@ -93,26 +92,6 @@ double lay_closer(const TriangleMesh& result, const Bvh& bvh, const Points& skin
     return step.norm();
 }
 
-RegionDistance summary(const std::string& region, std::vector<double> values) {
-    RegionDistance row;
-    row.region = region;
-    row.nodes = static_cast<int>(values.size());
-    int close = 0;
-    for (const double d : values) {
-        row.mean_mm += std::abs(d) / row.nodes;
-        row.mean_signed_mm += d / row.nodes;
-        close += std::abs(d) < 2.0 ? 1 : 0;
-    }
-    row.share_below_2mm = static_cast<double>(close) / row.nodes;
-    for (double& d : values) {
-        d = std::abs(d);
-    }
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.9 * (row.nodes - 1));
-    std::nth_element(values.begin(), at, values.end());
-    row.p90_mm = *at;
-    return row;
-}
-
 }  // namespace
 
 ResultComparison compare_with_result(const FaceModel& face, const Points& plan,
@@ -174,24 +153,9 @@ ResultComparison compare_with_result(const FaceModel& face, const Points& plan,
         }
     });
 
-    std::vector<double> all;
-    std::map<Region, std::vector<double>> by_region;
-    for (int i = 0; i < nodes; ++i) {
-        const Region region = face.tissue[static_cast<std::size_t>(i)].region;
-        const bool counts = region != Region::Scalp && region != Region::Ear &&
-                            region != Region::Neck &&
-                            face.label[static_cast<std::size_t>(i)].tissue == Tissue::Skin;
-        if (counts && std::isfinite(comparison.distance[i])) {
-            all.push_back(comparison.distance[i]);
-            by_region[region].push_back(comparison.distance[i]);
-        }
-    }
-    if (all.empty()) {
+    comparison.regions = distances_by_region(face, comparison.distance);
+    if (comparison.regions.empty()) {
         throw InvalidInput("The result has no skin opposite the face.");
-    }
-    comparison.regions.push_back(summary("whole face", all));
-    for (auto& [region, values] : by_region) {
-        comparison.regions.push_back(summary(region_name(region), values));
     }
     return comparison;
 }

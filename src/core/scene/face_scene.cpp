@@ -8,12 +8,15 @@
 #include "myoface/mesh/normals.h"
 #include "myoface/scene/colour_map.h"
 #include "myoface/scene/muscle_drawing.h"
+#include "myoface/scene/visibility.h"
 
 namespace myoface {
+
 FaceScene::FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const SkinTexture> texture)
     : scan_(std::move(scan)), texture_(std::move(texture)), drawing_(*scan_) {
     drawing_.fill(scene_.skin, *scan_, texture_.get());
     scene_.skin.texture = picture();
+    scene_.skin.rest = scene_.skin.positions;
     rest_normals_ = scene_.skin.normals.leftCols(scan_->mesh.vertex_count());
     const Points& v = scan_->mesh.vertices;
     scene_.centre = 0.5 * (v.rowwise().maxCoeff() + v.rowwise().minCoeff());
@@ -342,17 +345,35 @@ void FaceScene::tint(const Eigen::Matrix4Xf& of_vertices) {
     ++scene_.tint_version;
 }
 
-std::unique_ptr<SceneData> FaceScene::still(const Points& nodes, const JawPose& jaw,
-                                            const Wrinkles& wrinkles) const {
-    FaceScene other(scan_, texture_);
-    other.set_face(face_, {}, {});
-    SimSnapshot snapshot;
-    snapshot.positions = nodes;
-    snapshot.jaw = jaw;
-    snapshot.wrinkles = wrinkles;
-    other.show(snapshot);
-    other.scene_.skin.indices = scene_.skin.indices;  // loose parts as they are shown
-    return std::make_unique<SceneData>(std::move(other.scene_));
+void FaceScene::set_visibility(const Eigen::Matrix4Xf& of_vertices) {
+    Eigen::Matrix4Xf& drawn = scene_.skin.visibility;
+    drawn.resize(4, of_vertices.cols() == 0 ? 0 : drawing_.drawn_count());
+    for (int i = 0; i < static_cast<int>(drawn.cols()); ++i) {
+        drawn.col(i) = of_vertices.col(drawing_.scan_vertex(i));
+    }
+    ++scene_.shade_version;
+}
+
+void FaceScene::shade() {
+    set_visibility(light_visibility(scan_->mesh));
+}
+
+std::function<std::unique_ptr<SceneData>()> FaceScene::still(
+    const Points& nodes, const JawPose& jaw, const Wrinkles& wrinkles) const {
+    return [scan = scan_, texture = texture_, face = face_, nodes, jaw, wrinkles,
+            shown = scene_.skin.indices,  // loose parts as they are shown
+            visibility = scene_.skin.visibility] {
+        FaceScene other(scan, texture);
+        other.set_face(face, {}, {});
+        SimSnapshot snapshot;
+        snapshot.positions = nodes;
+        snapshot.jaw = jaw;
+        snapshot.wrinkles = wrinkles;
+        other.show(snapshot);
+        other.scene_.skin.indices = shown;
+        other.scene_.skin.visibility = visibility;
+        return std::make_unique<SceneData>(std::move(other.scene_));
+    };
 }
 
 void FaceScene::tint_change(const Points& before, const Points& now, double most) {
