@@ -264,9 +264,9 @@ void FaceFiles::exportFaceTo(const QString& path, const SimSnapshot& shown) {
     begin(
         tr("Writing the face"),
         [path, opened = m_document.opened(), model = m_document.model(), nodes = shown.positions,
-         jaw = shown.jaw](const Progress& progress) {
+         jaw = shown.jaw, wrinkles = shown.wrinkles](const Progress& progress) {
             progress.report("writing", 0.1);
-            write_face(path.toStdString(), *opened->scan, *model, nodes, jaw);
+            write_face(path.toStdString(), *opened->scan, *model, nodes, jaw, wrinkles);
         },
         [this, path] { Q_EMIT message(tr("Written: %1").arg(path)); });
 }
