@@ -125,6 +125,46 @@ TEST(Simulate, ReplaysAPlan) {
     EXPECT_EQ(read_file(a), read_file(b));
 }
 
+TEST(Replay, GivesTheSameBitsFromAPlanAndFromTheCaseThatHoldsIt) {
+    const auto file = [](const char* name) { return (face().folder / name).string(); };
+    std::ofstream(file("made.json"))
+        << R"({"plan":[{"drag":"at=prn; view=left; move=-1,2"},{"muscle":"mentalis","rate":0.4}]})";
+    const auto hash = [](const std::string& report) {
+        return nlohmann::json::parse(read_file(report))["state_hash"].get<std::string>();
+    };
+    ASSERT_EQ(cli("replay " + file("made.json") + " " + face().scan + " --threads 1 --case-out " +
+                  file("made.myoface") + " --report " + file("one.json"))
+                  .code,
+              0);
+    ASSERT_EQ(cli("replay " + file("made.myoface") + " " + face().scan + " --threads 2 --report " +
+                  file("two.json"))
+                  .code,
+              0);
+    EXPECT_EQ(hash(file("one.json")), hash(file("two.json")));
+    const auto report = nlohmann::json::parse(read_file(file("two.json")));
+    EXPECT_EQ(report["face"], "same");
+    EXPECT_EQ(report["done"], 2);
+    std::ofstream(file("half.json")) << R"({"plan":[{"drag":"at=tail"}]})";
+    const auto half = cli("replay " + file("half.json") + " " + face().scan);
+    EXPECT_EQ(half.code, 0);
+    EXPECT_NE(half.err.find("left out"), std::string::npos) << half.err;
+    expect_refusal("replay " + face().scan + " " + face().scan, 1, "is not a plan");
+}
+
+TEST(Passphrase, IsWantedByAProtectedCase) {
+    const auto file = [](const char* name) { return (face().folder / name).string(); };
+    std::ofstream(file("pass")) << "seven quiet herons\n";
+    std::ofstream(file("other")) << "eight loud herons\n";
+    ASSERT_EQ(cli("fit " + face().scan + " -o " + file("locked.myoface") + " --passphrase-file " +
+                  file("pass"))
+                  .code,
+              0);
+    expect_refusal("info " + file("locked.myoface"), 1, "--passphrase-file");
+    expect_refusal("info " + file("locked.myoface") + " --passphrase-file " + file("other"), 1,
+                   "another passphrase");
+    EXPECT_EQ(cli("info " + file("locked.myoface") + " --passphrase-file " + file("pass")).code, 0);
+}
+
 TEST(Generate, MeasuresAsTheNormsSay) {
     const std::string woman = (face().folder / "woman.glb").string();
     const std::string marks = (face().folder / "woman.json").string();
