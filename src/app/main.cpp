@@ -15,6 +15,7 @@
 #include "myoface/sim/plan.h"
 
 #include "compare_panel.h"
+#include "journal_keeper.h"
 #include "language.h"
 #include "main_window.h"
 #include "measure_panel.h"
@@ -51,6 +52,8 @@ void saveAndQuit(myoface::MainWindow& window, const QString& file) {
         if (!saved) {
             std::fprintf(stderr, "myoface: %s: cannot be written.\n", qPrintable(file));
         }
+        window.journal().finish();  // nobody is there to want it back
+        window.journal().flush();
         QApplication::exit(saved ? 0 : 1);
     });
 }
