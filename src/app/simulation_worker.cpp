@@ -158,6 +158,7 @@ void SimulationWorker::record(const DragRequest& request, const ViewRay& ray) {
     m_gesture.radius = request.radius;
     m_gesture.mirrored = request.mirrored;
     m_gesture.path = request.path;
+    m_gesture.force_N = request.force_mN / 1000.0;
     m_gesture.keep = request.mode == DragMode::ConstraintPriority;
     m_gesture.place = plan_place(face, request.where);
     m_start = position(
