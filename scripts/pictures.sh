@@ -63,19 +63,16 @@ contact() {
 contact expressions "$face" --skin-age 25
 contact expressions-man "$work/m50.obj" --skin-age 50
 
-# What shortened skin does, by age.
+# What shortened skin does at 60.
 shown=()
-"$bin/myoface-cli" generate --sex f --age 25 --vertices 70000 -o "$work/fine.obj" --landmarks-out "$work/fine.landmarks.json"
-for age in 25 45 70; do
-  for what in brow_raise:g:96 frown:g:84 eyes_tight:ex_l:66 full_smile:sn:106; do
-    IFS=: read -r preset where span <<<"$what"
-    draw "$work/fine.obj" --size 420x380 --skin-age $age --expression "$preset=1" --focus "$where" --span "$span" \
-      -o "$work/wrinkle-$age-$preset.png"
-    shown+=("$work/wrinkle-$age-$preset.png")
-  done
+"$bin/myoface-cli" generate --vertices 65000 -o "$work/fine.ply" --landmarks-out "$work/fine.landmarks.json"
+for what in full_smile:sn:116 frown:g:84 eyes_tight:ex_l:76; do
+  IFS=: read -r preset where span <<<"$what"
+  draw "$work/fine.ply" --size 560x480 --skin-age 60 --expression "$preset=1" --focus "$where" --span "$span" \
+    -o "$work/wrinkle-$preset.png"
+  shown+=("$work/wrinkle-$preset.png")
 done
-montage "${shown[@]}" -tile 4x3 -geometry +2+2 "$work/wrinkles.png"
-convert "$work/wrinkles.png" -resize 1500x -quality 90 $out/wrinkles.jpg
+convert "${shown[@]}" +append -quality 90 $out/wrinkles.jpg
 
 "$bin/myoface-cli" generate --seed 12 --sex m --age 41 --vertices 14000 --asymmetry 1.2 -o "$work/person.ply"
 xvfb-run -a -s '-screen 0 1600x1000x24' "$bin/myoface" "$work/person.ply" --landmarks-panel --screenshot $out/landmarks.png
