@@ -42,9 +42,9 @@ void CliExport::start(const FaceDocument& document, const QString& command, cons
     m_arguments = QStringList{command, copy, QStringLiteral("-o"), file} + options;
     // What is large is shared, so that the copy costs this thread nothing.
     m_passphrase = QString::fromStdString(document.passphrase());
-    m_copying = std::make_unique<FileJob>(
-        [copy, opened = document.opened(), edits = document.edits(),
-         passphrase = document.passphrase()](const Progress& progress) {
+    m_copying =
+        std::make_unique<FileJob>([copy, opened = document.opened(), edits = document.edits(),
+                                   passphrase = document.passphrase()](const Progress& progress) {
             OpenedFace face = asSaved(*opened, edits);
             face.passphrase = passphrase;
             write_case(copy.toStdString(), face, stateOf(edits), &progress);

@@ -383,8 +383,7 @@ void Comparison::updateView() {
 /// Draws the state before beside the window; until it is there, the face is shown alone.
 void Comparison::drawBefore() {
     retire(m_drawing);
-    m_drawing = std::make_unique<StillJob>(
-        m_scene->still(before(), m_beforeJaw, m_beforeWrinkles));
+    m_drawing = std::make_unique<StillJob>(m_scene->still(before(), m_beforeJaw, m_beforeWrinkles));
     connect(m_drawing.get(), &StillJob::finished, this, &Comparison::beforeDrawn);
     m_drawing->start();
 }

@@ -139,8 +139,8 @@ int main(int argc, char** argv) {
     const QCommandLineOption section(QStringLiteral("section"),
                                      QObject::tr("a level cut through this landmark"),
                                      QStringLiteral("landmark"));
-    parser.addOptions({views, section, screenshot, muscle, strength, expression, skinAge, layers, view,
-                       landmarks, panel, step, compare, language, theme, size});
+    parser.addOptions({views, section, screenshot, muscle, strength, expression, skinAge, layers,
+                       view, landmarks, panel, step, compare, language, theme, size});
     parser.process(application);
 
     myoface::Settings settings = myoface::Settings::read();

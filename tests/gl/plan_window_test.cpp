@@ -67,7 +67,7 @@ TEST_F(PlanWindow, KeepsItsPlanInTheCase) {
     ASSERT_TRUE(settle());
     drag(pixel("prn"), {0, -10});
     ASSERT_TRUE(done(1));
-    ASSERT_TRUE(window_.files().saveCaseTo(file("c.myoface")));
+    ASSERT_TRUE(saved(file("c.myoface")));
     EXPECT_FALSE(case_thumbnail(file("c.myoface").toStdString()).empty());
     open(file("c.myoface"));
     ASSERT_TRUE(settle());
@@ -95,7 +95,7 @@ TEST_F(PlanWindow, ProtectsACase) {
     ASSERT_TRUE(settle());
     window_.document().setPassphrase("seven quiet herons");
     EXPECT_TRUE(window_.isWindowModified());
-    ASSERT_TRUE(window_.files().saveCaseTo(file("c.myoface")));
+    ASSERT_TRUE(saved(file("c.myoface")));
     EXPECT_THROW(open_face((folder_ / "c.myoface").string()), PassphraseNeeded);
     OpenOptions options;
     options.passphrase = "seven quiet herons";

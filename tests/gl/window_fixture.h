@@ -7,6 +7,7 @@
 
 #include "myoface/io/mesh_file.h"
 
+#include "face_files.h"
 #include "main_window.h"
 #include "test_meshes.h"
 
@@ -30,11 +31,16 @@ protected:
         QSignalSpy opened(&window_, &MainWindow::opened);
         QSignalSpy failed(&window_, &MainWindow::openFailed);
         window_.openPath(path);
-        ASSERT_TRUE(
-            QTest::qWaitFor([&] { return opened.count() + failed.count() > 0; }, patience));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() + failed.count() > 0; }, patience));
     }
     bool settle(int patience = kPatience) {
         return QTest::qWaitFor([&] { return window_.settled(); }, patience);
+    }
+    /// Saves the case and waits for it.
+    bool saved(const QString& path) {
+        bool done = false;
+        window_.files().saveCaseTo(path, [&] { done = true; });
+        return QTest::qWaitFor([&] { return done; }, kPatience);
     }
     QPoint pixel(const std::string& landmark) {
         FaceView& view = window_.view();

@@ -91,8 +91,8 @@ OpenedFace read_case(const std::string& path, const OpenOptions& options = {},
 /// power fails meanwhile. May be called from any thread, as long as nobody changes what it is
 /// given.
 /// @throws IoError, Cancelled
-void write_case(const std::filesystem::path& file, const OpenedFace& opened,
-                const CaseState& state, const Progress* progress = nullptr);
+void write_case(const std::filesystem::path& file, const OpenedFace& opened, const CaseState& state,
+                const Progress* progress = nullptr);
 
 /// What of a case can be shown without opening it: a PNG, or nothing where there is none, where it
 /// is protected, or where it is no case.

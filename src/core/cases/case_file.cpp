@@ -230,8 +230,8 @@ OpenedFace read_case_bytes(std::string_view bytes, const std::string& name,
                         options, progress);
 }
 
-void write_case(const std::filesystem::path& file, const OpenedFace& opened,
-                const CaseState& state, const Progress* progress) {
+void write_case(const std::filesystem::path& file, const OpenedFace& opened, const CaseState& state,
+                const Progress* progress) {
     const StateParts state_parts = to_parts(state);
     json manifest = json::parse(state_parts.json);
     describe_face(opened, manifest);

@@ -358,8 +358,9 @@ void FaceScene::shade() {
     set_visibility(light_visibility(scan_->mesh));
 }
 
-std::function<std::unique_ptr<SceneData>()> FaceScene::still(
-    const Points& nodes, const JawPose& jaw, const Wrinkles& wrinkles) const {
+std::function<std::unique_ptr<SceneData>()> FaceScene::still(const Points& nodes,
+                                                             const JawPose& jaw,
+                                                             const Wrinkles& wrinkles) const {
     return [scan = scan_, texture = texture_, face = face_, nodes, jaw, wrinkles,
             shown = scene_.skin.indices,  // loose parts as they are shown
             visibility = scene_.skin.visibility] {
