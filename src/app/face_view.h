@@ -157,6 +157,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
 
@@ -183,6 +184,7 @@ private:
         return m_cameras[static_cast<std::size_t>(pane.camera)];
     }
     ViewRay rayAt(const QPointF& at) const;
+    void zoomTowards(const QPointF& at, double factor);
     PixelPoint pixelOf(const Vec3& point, const ViewPane& pane) const;
     std::optional<RayHit> hitAt(const QPointF& at);
     void updateCursor(bool onSkin);

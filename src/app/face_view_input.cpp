@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mouse and keys of the view.
+#include <algorithm>
 #include <cmath>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QWheelEvent>
 
 #include "face_view.h"
@@ -196,9 +198,23 @@ void FaceView::cut(const QPointF& to) {
 }
 
 void FaceView::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
-    // Zooms towards the point under the cursor.
-    const QPointF at = event->position();
+    zoomTowards(event->position(), std::pow(1.12, event->angleDelta().y() / 120.0));
+}
+
+/// Two fingers on a touch pad.
+bool FaceView::event(QEvent* event) {
+    if (event->type() == QEvent::NativeGesture) {
+        const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+        if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+            zoomTowards(gesture->localPos(), std::clamp(1.0 + gesture->value(), 0.5, 2.0));
+            return true;
+        }
+    }
+    return QOpenGLWidget::event(event);
+}
+
+/// The point at a place of the view stays there.
+void FaceView::zoomTowards(const QPointF& at, double factor) {
     if (m_action == Action::None) {
         m_active = static_cast<std::size_t>(paneAt(at).camera);
     }
@@ -207,7 +223,6 @@ void FaceView::wheelEvent(QWheelEvent* event) {
     const double depth =
         (camera().target - before.origin).dot(forward) / before.direction.dot(forward);
     const Vec3 under = before.origin + depth * before.direction;
-    const double factor = std::pow(1.12, steps);
     Camera nearer = camera();
     zoom(nearer, factor);
     const Vec3 target = under + nearer.distance / camera().distance * (camera().target - under);

@@ -45,7 +45,7 @@ double memory() {
 class Responsiveness : public test::Window {};
 
 TEST_F(Responsiveness, OpeningAndSavingNeverHoldUpTheWindow) {
-    constexpr double kMost = 50.0;  // [ms]
+    const double most = thorough() ? 50.0 : 150.0;  // [ms]; more for a slow machine's quick look
     const QString file = written_face(folder_, thorough() ? 1000000 : 60000);
     open(path_);
     ASSERT_TRUE(settle());
@@ -55,7 +55,7 @@ TEST_F(Responsiveness, OpeningAndSavingNeverHoldUpTheWindow) {
                     test::WatchedApplication::longestBusy(),
                     qPrintable(test::WatchedApplication::culprit()),
                     test::WatchedApplication::longestWall());
-        EXPECT_LT(test::WatchedApplication::longestBusy(), kMost)
+        EXPECT_LT(test::WatchedApplication::longestBusy(), most)
             << what << ": " << test::WatchedApplication::culprit().toStdString();
         test::WatchedApplication::beginWatch();
     };

@@ -495,6 +495,15 @@ TEST_F(Window, TurnsTheHeadBesideTheFaceAndWithTheMiddleButton) {
     EXPECT_EQ(window_.document().undoStack()->count(), 0);
 }
 
+TEST_F(Window, ComesNearerByTwoFingersOnATouchPad) {
+    FaceView& view = window_.view();
+    const double before = view.camera().distance;
+    const QPointF middle = view.rect().center();
+    QNativeGestureEvent pinch(Qt::ZoomNativeGesture, nullptr, middle, middle, middle, 0.25, 0, 0);
+    QApplication::sendEvent(&view, &pinch);
+    EXPECT_NEAR(view.camera().distance, before / 1.25, 1e-6);
+}
+
 TEST_F(Window, SmilesWithTheSliderAndResets) {
     open(path_);
     ASSERT_TRUE(settle());
