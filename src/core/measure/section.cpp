@@ -174,12 +174,18 @@ double largest_gap(const std::vector<SectionLine>& before, const std::vector<Sec
     for (const SectionLine& line : now) {
         for (const Eigen::Vector2d& p : line) {
             double nearest = std::numeric_limits<double>::infinity();
+            double nearest_end = std::numeric_limits<double>::infinity();
             for (const SectionLine& other : before) {
                 for (std::size_t i = 1; i < other.size(); ++i) {
                     nearest = std::min(nearest, distance_to(p, other[i - 1], other[i]));
                 }
+                if (!other.empty() && other.front() != other.back()) {
+                    nearest_end = std::min(
+                        {nearest_end, (p - other.front()).norm(), (p - other.back()).norm()});
+                }
             }
-            if (std::isfinite(nearest)) {
+            // Beyond the end of a line there is nothing to be apart from.
+            if (std::isfinite(nearest) && nearest < nearest_end) {
                 largest = std::max(largest, nearest);
             }
         }
