@@ -50,7 +50,8 @@ TEST(MuscleAtlas, HoldsTheMusclesThatWerePromised) {
                 return static_cast<unsigned char>(c) < 0x80;
             })) << t.name;
         }
-        const bool fan = t.kind == MuscleKind::Sheet || t.kind == MuscleKind::Volume;
+        const bool fan = t.kind == MuscleKind::Sheet ||
+                         (t.kind == MuscleKind::Volume && t.action != MuscleAction::ShiftJaw);
         EXPECT_EQ(muscle.edges.size(), fan ? 2U : 0U) << t.name;
     }
     for (const char* name : {"procerus", "depressor_septi_nasi", "orbicularis_oris_upper",
@@ -79,11 +80,12 @@ TEST(MuscleAtlas, HoldsTheMusclesThatWerePromised) {
                              "nasalis_alar",
                              "platysma",
                              "masseter",
-                             "temporalis"}) {
+                             "temporalis",
+                             "lateral_pterygoid"}) {
         EXPECT_EQ(names.count(std::string(name) + ".L"), 1U) << name;
         EXPECT_EQ(names.count(std::string(name) + ".R"), 1U) << name;
     }
-    EXPECT_EQ(names.size(), 5U + 2U * 23U);
+    EXPECT_EQ(names.size(), 5U + 2U * 24U);
 }
 
 TEST(MuscleNames, MeanBothSidesWithoutASide) {
@@ -197,8 +199,9 @@ TEST(FitFace, PutsMuscleEndsOnBoneAndSkin) {
     const auto face = small_model();
     const Bvh skin(face->skin.mesh);
     for (const Muscle& muscle : face->muscles) {
-        if (muscle.traits.action == MuscleAction::RaiseLid) {
-            continue;  // starts at the bottom of the orbit
+        if (muscle.traits.action == MuscleAction::RaiseLid ||
+            muscle.traits.action == MuscleAction::ShiftJaw) {
+            continue;  // starts at the bottom of the orbit, runs behind the jaw
         }
         for (Eigen::Index k = 0; k < muscle.path.cols(); ++k) {
             const Vec3 p = muscle.path.col(k);
@@ -340,8 +343,9 @@ TEST(FitFace, KeepsMusclesBetweenSkinAndBone) {
     const Bvh skin(face->skin.mesh);
     const Points normals = vertex_normals(face->skin.mesh, *face->adjacency);
     for (const Muscle& muscle : face->muscles) {
-        if (muscle.traits.action == MuscleAction::RaiseLid) {
-            continue;  // runs inside the orbit
+        if (muscle.traits.action == MuscleAction::RaiseLid ||
+            muscle.traits.action == MuscleAction::ShiftJaw) {
+            continue;  // runs inside the orbit or behind the jaw
         }
         std::vector<Points> paths = muscle.fibres;
         paths.push_back(muscle.path);
