@@ -3230,6 +3230,10 @@ nothing worth mentioning</source>
         <translation>%1 が有限の数値ではありません。</translation>
     </message>
     <message>
+        <source>%1 would have to go more than 25 mm.</source>
+        <translation>%1 を 25 mm 以上動かす必要があります。</translation>
+    </message>
+    <message>
         <source>'%1' is an expression of the program: take another name.</source>
         <translation>「%1」はプログラムの表情です。別の名前にしてください。</translation>
     </message>
@@ -3746,6 +3750,10 @@ nothing worth mentioning</source>
         <translation>途中で切れています。ヘッダーでは「%2」が %1 個ありますが、ファイルが短すぎます。</translation>
     </message>
     <message>
+        <source>it is not met after 12 tries.</source>
+        <translation>12 回試しても達しません。</translation>
+    </message>
+    <message>
         <source>its "%1" is not three numbers of millimetres.</source>
         <translation>"%1" がミリメートルの 3 つの数値ではありません。</translation>
     </message>
@@ -3818,6 +3826,10 @@ nothing worth mentioning</source>
         <translation>ランドマーク「%1」が 3 つの数値ではありません。</translation>
     </message>
     <message>
+        <source>moving %1 further changes nothing.</source>
+        <translation>%1 をさらに動かしても変わりません。</translation>
+    </message>
+    <message>
         <source>no face was found on it; put a landmark file beside it.</source>
         <translation>顔が見つかりませんでした。ランドマークのファイルを横に置いてください。</translation>
     </message>
@@ -3832,6 +3844,10 @@ nothing worth mentioning</source>
     <message>
         <source>no program that makes %1 is installed (%2); give a folder instead, for PNG pictures.</source>
         <translation>%1 を作るプログラム (%2) がありません。代わりにフォルダーを指定すると PNG 画像を書き出します。</translation>
+    </message>
+    <message>
+        <source>none of its landmarks changes it.</source>
+        <translation>どの基準点を動かしても変わりません。</translation>
     </message>
     <message>
         <source>reading glTF needs the program myoface-import, which is not installed beside this one.</source>
@@ -3886,6 +3902,10 @@ nothing worth mentioning</source>
         <translation>PLY ヘッダーの型 %1 は未知です。</translation>
     </message>
     <message>
+        <source>the bone holds back.</source>
+        <translation>骨に当たっています。</translation>
+    </message>
+    <message>
         <source>the file ends within a facet (is it truncated?).</source>
         <translation>ファセットの途中でファイルが終わっています（途中で切れていませんか？）。</translation>
     </message>
@@ -3920,6 +3940,14 @@ nothing worth mentioning</source>
     <message>
         <source>the shape of the skin is damaged.</source>
         <translation>皮膚の形の情報が壊れています。</translation>
+    </message>
+    <message>
+        <source>the skin there is stretched to its limit.</source>
+        <translation>そこの皮膚は限界まで伸びています。</translation>
+    </message>
+    <message>
+        <source>the skin would fold over itself.</source>
+        <translation>皮膚が折り重なってしまいます。</translation>
     </message>
     <message>
         <source>the skin's age is out of range.</source>

@@ -68,6 +68,11 @@ Vec3 slope(const Landmarks& here, const Mat3& axes, const Measure& measure,
     return result;
 }
 
+/// Why a landmark goes no further (a name that scripts/translations.py looks for).
+std::string refuse(std::string why) {
+    return why;
+}
+
 /// One landmark on its way: the hand that moves it and the measure it moves.
 class Approach {
 public:
@@ -119,7 +124,7 @@ public:
             }
             const double next = at + (wanted - reached) / rise;
             if (!(std::abs(next) < kFarthest)) {
-                limit_ = landmark_ + " would have to go more than 25 mm.";
+                limit_ = refuse(landmark_ + " would have to go more than 25 mm.");
                 break;
             }
             const double there = value_at(next, rough, report);
@@ -132,18 +137,18 @@ public:
             at = next;
             reached = there;
             if (!(std::abs(steeper) > 0.02 * steepness_)) {
-                limit_ = "moving " + landmark_ + " further changes nothing.";
+                limit_ = refuse("moving " + landmark_ + " further changes nothing.");
                 break;
             }
             rise = steeper;
         }
         if (limit_.empty() && std::abs(reached - wanted) > tolerance) {
-            limit_ = "it is not met after 12 tries.";
+            limit_ = refuse("it is not met after 12 tries.");
         }
         at_ = std::abs(limit_.empty() ? at : at_);
         report.moved_mm = std::max(report.moved_mm, at_);
         if (simulator_.end_drag(true).kept_share < 1.0) {
-            limit_ = "the skin would fold over itself.";
+            limit_ = refuse("the skin would fold over itself.");
         }
         report.reached =
             places_.measure(request_.measure, simulator_.state().positions).value_or(reached);
@@ -169,10 +174,11 @@ private:
 
     std::string limit_met() const {
         if (step_.drag->off_ray_mm > kGap) {
-            return "the bone holds back.";
+            return refuse("the bone holds back.");
         }
-        return step_.drag->strain_share > kMostStretch ? "the skin there is stretched to its limit."
-                                                       : "";
+        return step_.drag->strain_share > kMostStretch
+                   ? refuse("the skin there is stretched to its limit.")
+                   : std::string();
     }
 
     /// Between a place that holds and one beyond a limit: the furthest that holds.
@@ -251,7 +257,7 @@ TargetReport meet_target(Simulator& simulator, const TargetRequest& request) {
         throw InvalidInput("Target: " + measure.title + " stays at " +
                            with_unit(report.reached, degrees) + " of " +
                            with_unit(report.wanted, degrees) + ": " +
-                           (why.empty() ? "none of its landmarks changes it." : why));
+                           (why.empty() ? refuse("none of its landmarks changes it.") : why));
     }
     undo.release();
     return report;
