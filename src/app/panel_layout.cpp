@@ -10,7 +10,7 @@ namespace myoface {
 namespace {
 
 /// As wide as what is inside needs, so that nothing is cut off.
-class Column final : public QScrollArea {
+class ScrollColumn final : public QScrollArea {
 public:
     QSize minimumSizeHint() const override {
         const int bar = verticalScrollBar()->sizeHint().width();
@@ -35,7 +35,7 @@ protected:
 QVBoxLayout* scrollingColumn(QWidget& panel) {
     auto* outer = new QVBoxLayout(&panel);
     outer->setContentsMargins(0, 0, 0, 0);
-    auto* scroll = new Column;
+    auto* scroll = new ScrollColumn;
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -16,7 +16,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct AnimateArguments {
     FaceArguments face;
     EditArguments edits;
     std::string motion = "turn", view = "front", size = "640x720", output;
@@ -28,7 +28,7 @@ struct Arguments {
 /// A face that moves, drawn frame by frame.
 class Animation {
 public:
-    Animation(const Arguments& a, const OpenedFace& opened, Simulator& simulator, int width,
+    Animation(const AnimateArguments& a, const OpenedFace& opened, Simulator& simulator, int width,
               int height)
         : simulator_(simulator),
           anonymous_(a.anonymous),
@@ -76,7 +76,7 @@ void contract(Simulator& simulator, const std::vector<double>& rates, double sha
     simulator.settle();
 }
 
-void animate(const Arguments& a) {
+void animate(const AnimateArguments& a) {
     int width = 0;
     int height = 0;
     char extra = 0;
@@ -110,7 +110,7 @@ void animate(const Arguments& a) {
 
 void add_animate(CLI::App& app) {
     auto* command = app.add_subcommand("animate", "A film: around the head, or an expression");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<AnimateArguments>();
     a->face.add_to(*command);
     a->edits.add_to(*command);
     command

@@ -13,13 +13,13 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
     FaceArguments face;
     EditArguments edits;
     std::string result, output;
 };
 
-void compare(const Arguments& a) {
+void compare(const CompareArguments& a) {
     const RecordedPlan plan = a.edits.edits();
     OpenedFace opened = a.face.open();
     find_missing_landmarks(opened);
@@ -55,7 +55,7 @@ void compare(const Arguments& a) {
 void add_compare(CLI::App& app) {
     auto* command = app.add_subcommand(
         "compare", "How far a plan is from a scan of afterwards, by region of the skin");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<CompareArguments>();
     a->face.add_to(*command);
     a->edits.add_to(*command);
     command->add_option("--result", a->result, "scan taken after the operation")->required();

@@ -8,7 +8,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct ConvertArguments {
     std::string input;
     std::string output;
 };
@@ -17,7 +17,7 @@ struct Arguments {
 
 void add_convert(CLI::App& app) {
     auto* command = app.add_subcommand("convert", "Write a mesh in another format");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<ConvertArguments>();
     command->add_option("IN", a->input, "OBJ, PLY, STL, glTF or GLB file")->required();
     command->add_option("OUT", a->output, "name that ends in .obj, .ply, .stl or .glb")->required();
     command->callback([a] {

@@ -10,7 +10,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct FitArguments {
     FaceArguments face;
     std::string output, muscles, bone;
 };
@@ -20,7 +20,7 @@ struct Arguments {
 void add_fit(CLI::App& app) {
     auto* command =
         app.add_subcommand("fit", "Put bone and muscles on a scan and write a case file");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<FitArguments>();
     a->face.add_to(*command);
     command->add_option("-o", a->output, "CASE.myoface")->required();
     command->add_option("--muscles-out", a->muscles, "muscle paths as JSON");

@@ -11,7 +11,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct GenerateArguments {
     std::string sex, output, landmarks;
     GenericFaceOptions options;
     std::uint32_t seed = 0;
@@ -21,7 +21,7 @@ struct Arguments {
 
 void add_generate(CLI::App& app) {
     auto* command = app.add_subcommand("generate", "Make a head from the norms");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<GenerateArguments>();
     command->add_option("--sex", a->sex, "f or m; the average of both when absent")
         ->check(CLI::IsMember({"f", "m"}));
     command->add_option("--age", a->options.age, "years");

@@ -13,7 +13,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct MeasureArguments {
     FaceArguments face;
     EditArguments edits;
     PopulationArguments population;
@@ -47,7 +47,8 @@ Landmarks landmarks_of(OpenedFace& face) {
                    simulator->scan_vertices().leftCols(face.scan->mesh.vertices.cols()));
 }
 
-Landmarks other_landmarks(const Arguments& a, const OpenedFace& face, const Landmarks& here) {
+Landmarks other_landmarks(const MeasureArguments& a, const OpenedFace& face,
+                          const Landmarks& here) {
     OpenOptions options;
     options.mm_per_unit = face.scan->frame.mm_per_unit;
     options.axes = face.scan->frame.axes;
@@ -60,7 +61,7 @@ Landmarks other_landmarks(const Arguments& a, const OpenedFace& face, const Land
 }
 
 /// A face against another one.
-std::string compared(const Arguments& a, bool csv) {
+std::string compared(const MeasureArguments& a, bool csv) {
     OpenedFace face = a.face.open();
     const Landmarks here = landmarks_of(face);
     const Landmarks other = other_landmarks(a, face, here);
@@ -71,7 +72,7 @@ std::string compared(const Arguments& a, bool csv) {
 }
 
 /// A face as the window measures it: before and, where something has changed, now.
-std::string measured_alone(const Arguments& a, bool csv) {
+std::string measured_alone(const MeasureArguments& a, bool csv) {
     const RecordedPlan plan = a.edits.edits();
     OpenedFace opened = a.face.open();
     if (!find_missing_landmarks(opened)) {
@@ -97,7 +98,7 @@ std::string measured_alone(const Arguments& a, bool csv) {
                      population);
 }
 
-void measure(const Arguments& a) {
+void measure(const MeasureArguments& a) {
     const bool csv = std::filesystem::path(a.output).extension() == ".csv";
     write_text(a.output, a.compare.empty() ? measured_alone(a, csv) : compared(a, csv));
 }
@@ -106,7 +107,7 @@ void measure(const Arguments& a) {
 
 void add_measure(CLI::App& app) {
     auto* command = app.add_subcommand("measure", "Distances and angles beside their norms");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<MeasureArguments>();
     a->face.add_to(*command);
     a->edits.add_to(*command);
     a->population.add_to(*command);

@@ -17,7 +17,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct RenderArguments {
     FaceArguments face;
     EditArguments edits;
     std::string view = "front", layers = "skin", heatmap, size = "1200x1200", output;
@@ -100,7 +100,7 @@ void frame_face(Camera& camera, const OpenedFace& opened, bool whole, double asp
     frame(camera, nose + Vec3(0.0, 8.0, -75.0), 128.0, aspect);
 }
 
-void render(const Arguments& a) {
+void render(const RenderArguments& a) {
     int width = 0;
     int height = 0;
     char extra = 0;
@@ -165,7 +165,7 @@ void render(const Arguments& a) {
 
 void add_render(CLI::App& app) {
     auto* command = app.add_subcommand("render", "Draw a picture of a face");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<RenderArguments>();
     a->face.add_to(*command);
     a->edits.add_to(*command);
     command->add_option("--view", a->view,

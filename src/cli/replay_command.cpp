@@ -15,7 +15,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct ReplayArguments {
     std::string plan;
     FaceArguments face;
     std::string output, case_file, plan_out, report;
@@ -47,7 +47,7 @@ CaseState state_of(const Simulator& simulator, CaseState state) {
     return state;
 }
 
-void run(const Arguments& a) {
+void run(const ReplayArguments& a) {
     if (a.threads > 0) {
         set_thread_count(a.threads);
     }
@@ -97,7 +97,7 @@ void run(const Arguments& a) {
 void add_replay(CLI::App& app) {
     auto* command = app.add_subcommand(
         "replay", "Apply a recorded plan to the same face, another scan or another person");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<ReplayArguments>();
     command->add_option("PLAN", a->plan, "plan (JSON), or a case that holds one")->required();
     a->face.add_to(*command);
     command->add_flag("--on-top", a->on_top,

@@ -20,7 +20,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct ReportArguments {
     FaceArguments face;
     EditArguments edits;
     PopulationArguments population;
@@ -101,7 +101,7 @@ void add_pictures(Report& report, const Simulator& simulator, const OpenedFace& 
     report.heat_map = drawn(scene, landmarks, "three-quarter-left", anonymous);
 }
 
-void add_numbers(Report& report, const Simulator& simulator, const Arguments& a) {
+void add_numbers(Report& report, const Simulator& simulator, const ReportArguments& a) {
     const std::shared_ptr<const FaceModel> face = simulator.shared_face();
     const LandmarksOnSkin places(face);
     const Points& before = face->skin.mesh.vertices;
@@ -128,7 +128,7 @@ void add_numbers(Report& report, const Simulator& simulator, const Arguments& a)
     }
 }
 
-void make_report(const Arguments& a) {
+void make_report(const ReportArguments& a) {
     if (std::filesystem::path(a.output).extension() != ".pdf") {
         throw InvalidInput(a.output + ": a report is written as .pdf.");
     }
@@ -160,7 +160,7 @@ void make_report(const Arguments& a) {
 
 void add_report(CLI::App& app) {
     auto* command = app.add_subcommand("report", "Pictures and measures before and after, as PDF");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<ReportArguments>();
     a->face.add_to(*command);
     a->edits.add_to(*command);
     command->add_option("--title", a->title, "heading");

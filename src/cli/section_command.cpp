@@ -13,7 +13,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct SectionArguments {
     FaceArguments face;
     EditArguments edits;
     std::string at = "prn", plane = "profile", output;
@@ -30,7 +30,7 @@ std::optional<Vec3> three_numbers(const std::string& text) {
     return std::nullopt;
 }
 
-SectionPlane plane_of(const Arguments& a, const FaceModel& face) {
+SectionPlane plane_of(const SectionArguments& a, const FaceModel& face) {
     Vec3 through;
     if (const auto place = three_numbers(a.at)) {
         through = *place;
@@ -56,7 +56,7 @@ SectionPlane plane_of(const Arguments& a, const FaceModel& face) {
     return free_plane(face, through, *normal);
 }
 
-void cut(const Arguments& a) {
+void cut(const SectionArguments& a) {
     const RecordedPlan plan = a.edits.edits();
     OpenedFace opened = a.face.open();
     find_missing_landmarks(opened);
@@ -79,7 +79,7 @@ void cut(const Arguments& a) {
 void add_section(CLI::App& app) {
     auto* command =
         app.add_subcommand("section", "A cut through the face before and now, as lines");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<SectionArguments>();
     a->face.add_to(*command);
     a->edits.add_to(*command);
     command->add_option("--plane", a->plane,

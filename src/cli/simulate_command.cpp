@@ -14,7 +14,7 @@
 namespace myoface::cli {
 namespace {
 
-struct Arguments {
+struct SimulateArguments {
     FaceArguments face;
     EditArguments edits;
     std::string solver = "equilibrium", response = "smooth";
@@ -28,7 +28,7 @@ struct Arguments {
 void add_simulate(CLI::App& app) {
     auto* command =
         app.add_subcommand("simulate", "Contract muscles and drag skin, without a window");
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<SimulateArguments>();
     a->face.add_to(*command);
     a->edits.add_to(*command);
     command->add_option("--solver", a->solver, "equilibrium, symplectic or explicit")

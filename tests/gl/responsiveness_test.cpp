@@ -45,7 +45,8 @@ double memory() {
 class Responsiveness : public test::Window {};
 
 TEST_F(Responsiveness, OpeningAndSavingNeverHoldUpTheWindow) {
-    const double most = thorough() ? 50.0 : 150.0;  // [ms]; more for a slow machine's quick look
+    // [ms] The quick look only finds work of seconds that is done in the window's own thread.
+    const double most = thorough() ? 50.0 : 600.0;
     const QString file = written_face(folder_, thorough() ? 1000000 : 60000);
     open(path_);
     ASSERT_TRUE(settle());

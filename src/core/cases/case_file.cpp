@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr int kSchema = 2;
+constexpr int kCaseSchema = 2;
 constexpr const char* kThumbnail = "thumbnail.png";
 
 /// Looks and pictures of a scan's materials, which stand in files of their own beside a scan.
@@ -88,7 +88,7 @@ json read_manifest(const ZipReader& archive, const std::string& path) {
         throw IoError(path + ": its manifest is damaged.");
     }
     const auto schema = manifest["schema"].get<std::int64_t>();
-    if (schema > kSchema) {
+    if (schema > kCaseSchema) {
         throw IoError(path + ": was written by a newer Myoface; open it with that one.");
     }
     if (schema < 1) {
@@ -98,7 +98,7 @@ json read_manifest(const ZipReader& archive, const std::string& path) {
     return manifest;
 }
 
-std::string text_of(const json& manifest, const char* key, const std::string& path) {
+std::string manifest_text(const json& manifest, const char* key, const std::string& path) {
     if (!manifest.contains(key)) {
         return {};
     }
@@ -141,7 +141,7 @@ FileFrame frame_of(const json& manifest, const std::string& path) {
 /// All of the manifest that is not state. Names of files stay out: they may be the patient's.
 void describe_face(const OpenedFace& opened, json& manifest) {
     manifest["format"] = "myoface-case";
-    manifest["schema"] = kSchema;
+    manifest["schema"] = kCaseSchema;
     manifest["note"] = "A planning and communication aid, not a medical device.";
     manifest["pseudonym"] =
         opened.pseudonym.empty() ? pseudonym_of(*opened.scan) : opened.pseudonym;
@@ -174,10 +174,10 @@ OpenedFace read_archive(const ZipReader& archive, const std::string& path,
     face.passphrase = archive.encrypted("manifest.json") ? options.passphrase : "";
     face.scan_bytes = archive.part("scan", true);
     face.thumbnail = archive.part(kThumbnail, false);
-    face.pseudonym = text_of(manifest, "pseudonym", path);
-    face.scan_name = text_of(manifest, "scan", path);
+    face.pseudonym = manifest_text(manifest, "pseudonym", path);
+    face.scan_name = manifest_text(manifest, "scan", path);
     if (manifest.contains("tissue_depth")) {
-        face.fit.tissue = tissue_of(text_of(manifest, "tissue_depth", path), path);
+        face.fit.tissue = tissue_of(manifest_text(manifest, "tissue_depth", path), path);
     }
     const FileFrame kept = frame_of(manifest, path);
     const ReadOptions read{options.mm_per_unit.value_or(kept.mm_per_unit),

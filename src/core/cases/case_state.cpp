@@ -91,7 +91,7 @@ std::map<std::string, double> settings(const json& object, const char* key, doub
     return result;
 }
 
-std::string text_of(const json& object, const char* key, const std::string& name) {
+std::string state_text(const json& object, const char* key, const std::string& name) {
     if (!object.contains(key)) {
         return {};
     }
@@ -219,7 +219,7 @@ CaseState from_parts(const std::string& json_text,
     CaseState state;
     state.rates = settings(object, "contractions", kLeastContraction, kMostContraction, name);
     state.strengths = settings(object, "strengths", 0.0, 1.0, name);
-    state.notes = text_of(object, "notes", name);
+    state.notes = state_text(object, "notes", name);
     state.skin_age = skin_age_of(object, name);
     state.shape = dense(part("shape"), vertices, name);
     const Points protection = dense(part("protection"), vertices, name);
@@ -241,7 +241,7 @@ CaseState from_parts(const std::string& json_text,
             throw IoError(name + ": its variants are damaged.");
         }
         Variant variant;
-        variant.name = text_of(variants[i], "name", name);
+        variant.name = state_text(variants[i], "name", name);
         variant.rates =
             settings(variants[i], "contractions", kLeastContraction, kMostContraction, name);
         variant.strengths = settings(variants[i], "strengths", 0.0, 1.0, name);

@@ -56,7 +56,7 @@ struct SizedSamples {
           table(points, kCell, kReach) {}
 };
 
-double bump(double d2, double reach) {
+double reach_bump(double d2, double reach) {
     return std::exp(-d2 / (reach * reach));
 }
 
@@ -73,7 +73,7 @@ double score(const SizedSamples& samples, const Similarity& place, Eigen::Index 
         const double facing = samples.normals.col(near).dot(place.rotation * face.normals.col(i));
         if (facing > 0.0) {
             const double d2 = (samples.points.col(near) - p).squaredNorm();
-            sum += face.weights[i] * facing * bump(d2, 11.3);
+            sum += face.weights[i] * facing * reach_bump(d2, 11.3);
         }
     }
     return sum / face.weights.head(count).sum();

@@ -16,7 +16,7 @@ constexpr double kWarpSoftness = 1.5;
 
 /// How far the crown may leave the average one for what the front says [mm]: beyond the scan a bend
 /// of the forehead would go on for ever.
-constexpr double kCrown = 25.0;
+constexpr double kCrownShare = 25.0;
 
 /// Places around the average head's cranium that no landmark holds.
 Points crown_places() {
@@ -97,7 +97,7 @@ HeadWarps fit_head(const TriangleMesh& skin, const Similarity& to_generic,
     for (const double stiffness : {0.3, 3.0, 30.0}) {
         Eigen::VectorXd softness(n + held + far);
         softness << Eigen::VectorXd::Constant(n, stiffness), pins.softness,
-            Eigen::VectorXd::Constant(far, kCrown);
+            Eigen::VectorXd::Constant(far, kCrownShare);
         HeadWarps bent{WarpCentres(scan, softness).towards(generic),
                        WarpCentres(generic, softness).towards(scan)};
         if (keeps_sense(bent.from_average)) {

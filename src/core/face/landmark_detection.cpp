@@ -21,7 +21,7 @@ namespace myoface {
 namespace {
 
 constexpr double kSureOfAFace = 0.12;  // confidence below which a scan is refused
-constexpr int kSamples = 40000;
+constexpr int kDetectionSamples = 40000;
 constexpr double kMostOff = 6.0;  // [mm] a landmark may lie off the scan before it is put onto it
 
 /// How far the proportions of a bent face leave those of people: 0 within about three standard
@@ -95,7 +95,7 @@ DetectedLandmarks detect_landmarks(const TriangleMesh& mesh, const FacePose* kno
         throw no_face;
     }
     const TriangleMesh part = around_face(mesh, pose->to_generic);
-    const SurfaceSamples samples = sample_surface(part, kSamples);
+    const SurfaceSamples samples = sample_surface(part, kDetectionSamples);
     if (samples.points.cols() < 500) {
         throw InvalidInput("Too little of a face is left on this scan.");
     }

@@ -11,6 +11,8 @@
 #include "myoface/io/mesh_file.h"
 #include "myoface/io/text_file.h"
 
+#include "../io/lower_case.h"
+
 namespace myoface {
 namespace {
 
@@ -72,15 +74,9 @@ constexpr std::array<Known, 24> kKnown{
      {"ft", "frontotemporale", "temple", true,
       "The temple at the narrowest place of the forehead, at the ridge beside the brow."}}};
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 /// Our short name for any accepted spelling, or "".
 std::string canonical_name(const std::string& given) {
-    std::string base = lower(given);
+    std::string base = lower_case(given);
     std::string side;
     if (base.size() > 2 && (base.ends_with("_l") || base.ends_with("_r"))) {
         side = base.substr(base.size() - 2);

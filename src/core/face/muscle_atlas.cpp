@@ -120,7 +120,7 @@ AtlasMuscle on_side(const AtlasMuscle& left, Side side) {
     return muscle;
 }
 
-MuscleAtlas load() {
+MuscleAtlas load_atlas() {
     const json document =
         json::parse(read_file(resource_path("assets/muscles.json")), nullptr, false);
     try {
@@ -158,7 +158,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 const MuscleAtlas& muscle_atlas() {
-    static const MuscleAtlas kAtlas = load();
+    static const MuscleAtlas kAtlas = load_atlas();
     return kAtlas;
 }
 

@@ -9,7 +9,7 @@
 namespace myoface {
 namespace {
 
-constexpr int kGrain = 64;
+constexpr int kObstacleGrain = 64;
 
 /// The triangles of the bone that belong to one jaw.
 TriangleMesh part_of_bone(const FaceModel& face, bool lower) {
@@ -69,7 +69,7 @@ std::vector<Obstacle> obstacles_of(const FaceModel& face) {
 
 Eigen::VectorXd obstacle_distances(const FaceModel& face) {
     Eigen::VectorXd distances(face.node_count());
-    parallel_for(face.node_count(), kGrain, [&](int begin, int end) {
+    parallel_for(face.node_count(), kObstacleGrain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             distances[i] = 1e3;
             for (const Obstacle& obstacle : face.obstacles) {

@@ -16,7 +16,7 @@ namespace {
 /// Heat-flow time of one smoothing step [mm²]; two steps on positions and then on normals do what
 /// 25 and 30 half umbrella passes did on the 2.7 mm mesh where the model was tried.
 constexpr double kSmoothing = 11.4;
-constexpr double kReach = 7.0;  // of the least squares [mm]
+constexpr double kSlideReach = 7.0;  // of the least squares [mm]
 
 }  // namespace
 
@@ -45,7 +45,7 @@ std::vector<SlidingSurface> sliding_surfaces(const TriangleMesh& mesh, const Adj
             SlidingSurface& surface = surfaces[v];
             const Vec3 n = smooth_normals.col(v);
             surface.normal = n;
-            // Breadth first up to kReach, at least two rings, at most 80 nodes.
+            // Breadth first up to kSlideReach, at least two rings, at most 80 nodes.
             ring.assign(1, v);
             std::size_t two_rings = 0;
             for (std::size_t i = 0; i < ring.size() && ring.size() < 80; ++i) {
@@ -53,7 +53,7 @@ std::vector<SlidingSurface> sliding_surfaces(const TriangleMesh& mesh, const Adj
                     two_rings = ring.size();
                 }
                 const double away = (mesh.vertices.col(ring[i]) - mesh.vertices.col(v)).norm();
-                if (i >= std::max<std::size_t>(two_rings, 1) && away > kReach) {
+                if (i >= std::max<std::size_t>(two_rings, 1) && away > kSlideReach) {
                     continue;
                 }
                 for (const int w : adjacency.neighbours(ring[i])) {
@@ -72,7 +72,7 @@ std::vector<SlidingSurface> sliding_surfaces(const TriangleMesh& mesh, const Adj
                 const Vec3 dn = smooth_normals.col(w) - n;
                 const double da = dx.dot(a);
                 const double db = dx.dot(b);
-                const double weight = std::exp(-dx.squaredNorm() / (kReach * kReach));
+                const double weight = std::exp(-dx.squaredNorm() / (kSlideReach * kSlideReach));
                 const Vec3 first(da, db, 0.0);
                 const Vec3 second(0.0, da, db);
                 normal_matrix += weight * (first * first.transpose() + second * second.transpose());

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "myoface/base/error.h"
+#include "myoface/base/smooth_step.h"
 #include "myoface/face/smooth_warp.h"
 
 #include "head/head_mesh.h"
@@ -14,11 +15,6 @@
 
 namespace myoface {
 namespace {
-
-double smooth_step(double edge0, double edge1, double x) {
-    const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 double mixed(double a, double b, double share) {
     return a + share * (b - a);

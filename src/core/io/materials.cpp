@@ -8,6 +8,7 @@
 #include "myoface/base/error.h"
 #include "myoface/io/text_file.h"
 
+#include "lower_case.h"
 #include "number_text.h"
 #include "readers.h"
 
@@ -18,12 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestLibrary = 16'000'000;
 constexpr std::uintmax_t kLargestTexture = 512'000'000;
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 bool is_inside(const fs::path& folder, const fs::path& file) {
     std::error_code error;
@@ -42,7 +37,7 @@ std::optional<fs::path> in_any_case(const fs::path& folder, const std::string& n
     int seen = 0;
     for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end;
          !error && entry != end && seen < 20000; entry.increment(error), ++seen) {
-        if (lower(entry->path().filename().string()) == lower(name)) {
+        if (lower_case(entry->path().filename().string()) == lower_case(name)) {
             return entry->path();
         }
     }
@@ -63,7 +58,7 @@ std::string_view after_options(std::string_view rest) {
     };
     for (trim(rest); !rest.empty() && rest.front() == '-'; trim(rest)) {
         const std::size_t stop = std::min(rest.find_first_of(" \t"), rest.size());
-        const std::string option = lower(std::string(rest.substr(0, stop)));
+        const std::string option = lower_case(std::string(rest.substr(0, stop)));
         const bool triple = option == "-s" || option == "-o" || option == "-t" || option == "-mm";
         const bool single = option == "-blendu" || option == "-blendv" || option == "-clamp" ||
                             option == "-cc" || option == "-imfchan" || option == "-texres" ||
@@ -118,7 +113,7 @@ private:
         };
         trim();
         const std::size_t stop = std::min(line.find_first_of(" \t"), line.size());
-        const std::string key = lower(std::string(line.substr(0, stop)));
+        const std::string key = lower_case(std::string(line.substr(0, stop)));
         line.remove_prefix(stop);
         trim();
         if (key == "newmtl") {

@@ -11,6 +11,7 @@
 #include "myoface/io/mapped_file.h"
 #include "myoface/io/text_file.h"
 
+#include "lower_case.h"
 #include "readers.h"
 #include "writers.h"
 
@@ -43,12 +44,6 @@ double guess_unit(const Points& vertices) {
         }
     }
     return size > 0.0 ? 400.0 / size : 1.0;
-}
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 bool looks_like_ply(std::string_view content) {
@@ -196,7 +191,7 @@ Scan read_mesh_bytes(std::string_view content, const std::string& name, const Re
     if (content.empty()) {
         throw IoError(name + ": is empty.");
     }
-    const std::string extension = lower(std::filesystem::path(name).extension().string());
+    const std::string extension = lower_case(std::filesystem::path(name).extension().string());
     Scan scan;
     if (looks_like_ply(content)) {
         read_ply(content, name, scan, progress);
@@ -229,7 +224,7 @@ Scan read_mesh(const std::filesystem::path& file, const ReadOptions& options,
                const Progress* progress) {
     const MappedFile mapped(file);
     Scan scan;
-    if (looks_like_gltf(mapped.bytes(), lower(file.extension().string())) &&
+    if (looks_like_gltf(mapped.bytes(), lower_case(file.extension().string())) &&
         !mapped.bytes().empty()) {
         read_gltf(file, scan, progress);
         finish(scan, file.string(), options, progress);
@@ -325,7 +320,7 @@ Points in_file(const Scan& scan, const Points& vertices) {
 
 std::string main_file(const std::string& name, const Scan& scan, const Points& vertices,
                       const std::string& library) {
-    const std::string extension = lower(std::filesystem::path(name).extension().string());
+    const std::string extension = lower_case(std::filesystem::path(name).extension().string());
     const Points points = in_file(scan, vertices);
     if (extension == ".obj") {
         return obj_text(scan, points, library);
@@ -368,7 +363,7 @@ std::string mesh_bytes(const std::string& name, const Scan& scan, const Points& 
 }
 
 void write_mesh(const std::filesystem::path& file, const Scan& scan, const Points& vertices) {
-    const std::string extension = lower(file.extension().string());
+    const std::string extension = lower_case(file.extension().string());
     const bool library =
         extension == ".obj" &&
         std::any_of(scan.materials.begin(), scan.materials.end(), [](const Material& m) {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kTooFar = 15.0;       // [mm] where the result has no skin opposite
 constexpr double kMostResidual = 2.0;  // [mm] that registration may leave
-constexpr int kRounds = 40;
-constexpr int kGrain = 256;
+constexpr int kMatchRounds = 40;
+constexpr int kComparisonGrain = 256;
 
 Eigen::Isometry3d rigid(const Points& from, const Points& to) {
     return Eigen::Isometry3d(Eigen::umeyama(from, to, false));
@@ -49,7 +49,7 @@ double lay_closer(const TriangleMesh& result, const Bvh& bvh, const Points& skin
     };
     const Eigen::Isometry3d back = comparison.to_face.inverse();
     std::vector<Pair> pairs(steady.size());
-    parallel_for(static_cast<int>(steady.size()), kGrain, [&](int begin, int end) {
+    parallel_for(static_cast<int>(steady.size()), kComparisonGrain, [&](int begin, int end) {
         for (int k = begin; k < end; ++k) {
             const Vec3 place = skin.col(steady[static_cast<std::size_t>(k)]);
             const ClosestPoint closest = bvh.closest_point(result, back * place);
@@ -124,7 +124,7 @@ ResultComparison compare_with_result(const FaceModel& face, const Points& plan,
             "The face shows too little of forehead and nasal root to lay a result "
             "on it.");
     }
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kMatchRounds; ++round) {
         const double change = lay_closer(result, bvh, face.skin.mesh.vertices, steady, comparison);
         if (change < 1e-7) {
             break;
@@ -142,7 +142,7 @@ ResultComparison compare_with_result(const FaceModel& face, const Points& plan,
     const Points normals = vertex_normals({skin, face.skin.mesh.triangles}, *face.adjacency);
     comparison.distance.resize(nodes);
     const Eigen::Isometry3d back = comparison.to_face.inverse();
-    parallel_for(nodes, kGrain, [&](int begin, int end) {
+    parallel_for(nodes, kComparisonGrain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             const Vec3 place = back * skin.col(i);
             const ClosestPoint closest = bvh.closest_point(result, place);

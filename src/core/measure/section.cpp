@@ -13,10 +13,10 @@
 namespace myoface {
 namespace {
 
-constexpr double kBehind = 115.0;  // what lies further behind the nose is no face [mm]
-constexpr double kUpright = 55.0;  // the same in upright cuts, which would show the neck
-constexpr double kAbove = 95.0;    // [mm] over the nose
-constexpr double kBelow = 95.0;    // [mm] under it
+constexpr double kBehindFace = 115.0;  // what lies further behind the nose is no face [mm]
+constexpr double kUpright = 55.0;      // the same in upright cuts, which would show the neck
+constexpr double kAbove = 95.0;        // [mm] over the nose
+constexpr double kBelow = 95.0;        // [mm] under it
 
 /// A crossing of an edge, known by the edge: the same one from both triangles.
 using Crossing = std::pair<int, int>;
@@ -128,7 +128,7 @@ std::vector<SectionLine> section(const FaceModel& face, const Triangles& skin, c
     const Vec3 tip = nose(face);
     const Vec3 front = face.axes.col(2);
     const Vec3 upwards = face.axes.col(1);
-    const double behind = std::abs(plane.normal.dot(upwards)) < 0.5 ? kUpright : kBehind;
+    const double behind = std::abs(plane.normal.dot(upwards)) < 0.5 ? kUpright : kBehindFace;
     std::vector<std::pair<Crossing, Crossing>> parts;
     std::map<Crossing, Eigen::Vector2d> place;
     const auto side = [&](int v) { return plane.normal.dot(nodes.col(v) - plane.through); };

@@ -9,14 +9,14 @@
 namespace myoface {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 /// Distance at the third corner of a triangle, of a front that comes through the side between two
 /// corners where the distances are known; infinity where it does not come through there.
 /// @param side length of that side @param first, second of the others, from each of its ends
 double across(double side, double first, double second, double at_first, double at_second) {
     if (!(side > 0.0)) {
-        return kFar;
+        return kUnreached;
     }
     const double x = (first * first - second * second + side * side) / (2.0 * side);
     const double y = std::sqrt(std::max(0.0, first * first - x * x));
@@ -25,11 +25,11 @@ double across(double side, double first, double second, double at_first, double 
         (at_first * at_first - at_second * at_second + side * side) / (2.0 * side);
     const double square = at_first * at_first - source_x * source_x;
     if (square < 0.0 || !(y > 0.0)) {
-        return kFar;
+        return kUnreached;
     }
     const double source_y = std::sqrt(square);
     const double through = source_x + (x - source_x) * source_y / (y + source_y);
-    return through >= 0.0 && through <= side ? std::hypot(x - source_x, y + source_y) : kFar;
+    return through >= 0.0 && through <= side ? std::hypot(x - source_x, y + source_y) : kUnreached;
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ double across(double side, double first, double second, double at_first, double 
 std::vector<double> geodesic_distances(const TriangleMesh& mesh, const Adjacency& adjacency,
                                        std::span<const GeodesicSource> sources, double limit,
                                        const WayWeight& weight) {
-    std::vector<double> distance(static_cast<std::size_t>(mesh.vertex_count()), kFar);
+    std::vector<double> distance(static_cast<std::size_t>(mesh.vertex_count()), kUnreached);
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     const auto reach = [&](int v, double gone) {

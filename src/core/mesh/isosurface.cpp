@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kBlock = 4;          // cells per block of the first, coarse look
 constexpr double kSteepest = 1.6;  // the field may grow faster than a distance
-constexpr float kFar = 1e30F;
+constexpr float kNoField = 1e30F;
 
 struct Grid {
     Vec3 origin;
@@ -29,7 +29,7 @@ struct Grid {
     Vec3 at(int i, int j, int k) const { return origin + cell * Vec3(i, j, k); }
 };
 
-/// Samples the field near the surface only; everything else stays kFar.
+/// Samples the field near the surface only; everything else stays kNoField.
 Grid sample(const ScalarField& field, const Eigen::AlignedBox3d& box, double cell) {
     Grid grid;
     grid.origin = box.min();
@@ -39,7 +39,7 @@ Grid sample(const ScalarField& field, const Eigen::AlignedBox3d& box, double cel
         blocks[axis] = static_cast<int>(std::ceil(box.sizes()[axis] / (cell * kBlock)));
         grid.points[axis] = blocks[axis] * kBlock + 1;
     }
-    grid.values.assign(grid.index(0, 0, grid.points[2]), kFar);
+    grid.values.assign(grid.index(0, 0, grid.points[2]), kNoField);
     const double reach = kSteepest * 0.5 * std::sqrt(3.0) * kBlock * cell;
     // A slab of blocks owns its lower planes; the last one owns its upper plane too.
     parallel_for(blocks[2], 1, [&](int begin, int end) {
@@ -56,7 +56,7 @@ Grid sample(const ScalarField& field, const Eigen::AlignedBox3d& box, double cel
                         for (int j = bj * kBlock; j <= (bj + 1) * kBlock; ++j) {
                             for (int i = bi * kBlock; i <= (bi + 1) * kBlock; ++i) {
                                 float& value = grid.values[grid.index(i, j, k)];
-                                if (value == kFar) {
+                                if (value == kNoField) {
                                     value = static_cast<float>(field(grid.at(i, j, k)));
                                 }
                             }
@@ -78,7 +78,7 @@ public:
         int inside = 0;
         for (int c = 0; c < 4; ++c) {
             values[c] = grid_.values[grid_.index(corners[c][0], corners[c][1], corners[c][2])];
-            if (values[c] == kFar) {
+            if (values[c] == kNoField) {
                 return;
             }
             inside += values[c] < 0.0F ? 1 : 0;
@@ -172,7 +172,7 @@ TriangleMesh isosurface(const ScalarField& field, const Eigen::AlignedBox3d& box
     for (int k = 0; k + 1 < grid.points[2]; ++k) {
         for (int j = 0; j + 1 < grid.points[1]; ++j) {
             for (int i = 0; i + 1 < grid.points[0]; ++i) {
-                if (grid.values[grid.index(i, j, k)] == kFar) {
+                if (grid.values[grid.index(i, j, k)] == kNoField) {
                     continue;
                 }
                 for (const auto& path : kPaths) {

@@ -5,18 +5,18 @@
 
 namespace myoface {
 namespace {
-constexpr int kGrain = 2048;
+constexpr int kNormalGrain = 2048;
 }
 
 Points vertex_normals(const TriangleMesh& mesh, const Adjacency& adjacency) {
     Points of_triangle(3, mesh.triangle_count());
-    parallel_for(mesh.triangle_count(), kGrain, [&](int begin, int end) {
+    parallel_for(mesh.triangle_count(), kNormalGrain, [&](int begin, int end) {
         for (int t = begin; t < end; ++t) {
             of_triangle.col(t) = double_area_vector(mesh, t);
         }
     });
     Points normals(3, mesh.vertex_count());
-    parallel_for(mesh.vertex_count(), kGrain, [&](int begin, int end) {
+    parallel_for(mesh.vertex_count(), kNormalGrain, [&](int begin, int end) {
         for (int v = begin; v < end; ++v) {
             Vec3 sum = Vec3::Zero();
             for (const int t : adjacency.triangles(v)) {
@@ -52,7 +52,7 @@ Points smoothed(const Points& values, const Adjacency& adjacency, int passes) {
     Points now = values;
     Points next = values;
     for (int pass = 0; pass < passes; ++pass) {
-        parallel_for(adjacency.vertex_count(), kGrain, [&](int begin, int end) {
+        parallel_for(adjacency.vertex_count(), kNormalGrain, [&](int begin, int end) {
             for (int v = begin; v < end; ++v) {
                 const auto neighbours = adjacency.neighbours(v);
                 if (neighbours.empty()) {

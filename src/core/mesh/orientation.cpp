@@ -11,13 +11,13 @@ namespace myoface {
 namespace {
 
 /// A side of a triangle under its lower vertex. Side 3t + c runs from corner c to the next one.
-struct Side {
+struct SideSeen {
     int high = 0;
     int number = 0;
 };
 
 /// How the sides of all triangles meet.
-struct Sides {
+struct SidesSeen {
     std::vector<int> across;   ///< side -> side of the only other triangle there, or -1
     std::vector<int> borders;  ///< sides without another triangle
     int non_manifold_edges = 0;
@@ -28,7 +28,7 @@ bool runs_up(const TriangleMesh& mesh, int side) {
     return mesh.triangles(side % 3, side / 3) < mesh.triangles((side % 3 + 1) % 3, side / 3);
 }
 
-Sides pair_sides(const TriangleMesh& mesh) {
+SidesSeen pair_sides(const TriangleMesh& mesh) {
     const int n = mesh.vertex_count();
     const int triangles = mesh.triangle_count();
     std::vector<int> start(static_cast<std::size_t>(n) + 1, 0);
@@ -42,7 +42,7 @@ Sides pair_sides(const TriangleMesh& mesh) {
         ++start[static_cast<std::size_t>(ends(side).first) + 1];
     }
     std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<Side> sides(static_cast<std::size_t>(start.back()));
+    std::vector<SideSeen> sides(static_cast<std::size_t>(start.back()));
     {
         std::vector<int> at(start.begin(), start.end() - 1);
         for (int side = 0; side < 3 * triangles; ++side) {
@@ -50,7 +50,7 @@ Sides pair_sides(const TriangleMesh& mesh) {
             sides[static_cast<std::size_t>(at[static_cast<std::size_t>(low)]++)] = {high, side};
         }
     }
-    Sides result;
+    SidesSeen result;
     result.across.assign(sides.size(), -1);
     constexpr int kGrain = 16384;
     struct Share {
@@ -64,7 +64,7 @@ Sides pair_sides(const TriangleMesh& mesh) {
         for (int v = begin; v < end; ++v) {
             const auto first = sides.begin() + start[static_cast<std::size_t>(v)];
             const auto last = sides.begin() + start[static_cast<std::size_t>(v) + 1];
-            std::sort(first, last, [](const Side& p, const Side& q) {
+            std::sort(first, last, [](const SideSeen& p, const SideSeen& q) {
                 return p.high != q.high ? p.high < q.high : p.number < q.number;
             });
             for (auto side = first; side != last;) {
@@ -102,7 +102,7 @@ struct Sheets {
 };
 
 /// Numbers the sheets and marks in `turn` what disagrees with the first triangle of each.
-Sheets walk(const TriangleMesh& mesh, const Sides& sides, std::vector<bool>& turn) {
+Sheets walk(const TriangleMesh& mesh, const SidesSeen& sides, std::vector<bool>& turn) {
     const auto count = static_cast<std::size_t>(mesh.triangle_count());
     Sheets sheets;
     sheets.of_triangle.assign(count, -1);
@@ -230,7 +230,7 @@ std::pair<int, double> border_loops(const TriangleMesh& mesh, const std::vector<
 
 SurfaceCheck check_surface(const TriangleMesh& mesh) {
     SurfaceCheck result;
-    const Sides sides = pair_sides(mesh);
+    const SidesSeen sides = pair_sides(mesh);
     result.non_manifold_edges = sides.non_manifold_edges;
     std::vector<bool> turn(sides.all_agree ? 0 : static_cast<std::size_t>(mesh.triangle_count()),
                            false);

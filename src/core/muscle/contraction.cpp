@@ -7,22 +7,18 @@
 #include <Eigen/Geometry>
 
 #include "myoface/base/parallel.h"
+#include "myoface/base/smooth_step.h"
 
 namespace myoface {
 namespace {
 
-constexpr double kHold = 5.0;         // hold on the target, in usual tethers
+constexpr double kZoneHold = 5.0;     // hold on the target, in usual tethers
 constexpr double kLipSoftness = 1.5;  // of the border between the lips' zones [mm]
 constexpr double kLidHold = 25.0;     // of lids, which lie on the eyeball and unroll
 constexpr double kMeeting = 0.12;     // where the lids meet, from the lower one's margin
 constexpr double kToNose = 1.5;       // way of closing lids towards the nose [mm]
 constexpr double kBeside = 0.6;       // where halves of a mouth's ring push forward, of its width
 constexpr double kMidlineFade = 9.0;  // a paired muscle ends this far across the midline [mm]
-
-double smooth_step(double edge0, double edge1, double x) {
-    const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 /// How much of a muscle's response a node takes, by anatomy: 0 … 1.
 double zone_share(const MuscleTraits& traits, const Vec3& generic, const TissueProperties& tissue,
@@ -266,7 +262,7 @@ std::vector<MuscleResponse> muscle_responses(const FaceModel& face, const MassSp
             const bool lid =
                 traits.action == MuscleAction::CloseLids || traits.action == MuscleAction::RaiseLid;
             response.whole = lid || response.jaw;
-            response.firmness = lid ? kLidHold : kHold;
+            response.firmness = lid ? kLidHold : kZoneHold;
             std::vector<Vec3> shifts;
             std::vector<double> heights;
             std::vector<double> holds;

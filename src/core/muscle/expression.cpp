@@ -18,13 +18,13 @@ namespace {
 
 using json = nlohmann::json;
 
-struct Table {
+struct ExpressionTable {
     std::map<std::string, std::map<std::string, double>> action_units;
     std::vector<Expression> presets;
 };
 
 /// Puts an action unit's muscles, on the side its name asks for, into rates per muscle.
-void collect(const Table& table, const std::string& name, double intensity,
+void collect(const ExpressionTable& table, const std::string& name, double intensity,
              std::map<int, double>& rates) {
     std::string unit = name;
     std::string side;
@@ -55,11 +55,11 @@ std::vector<std::pair<int, double>> as_list(const std::map<int, double>& rates) 
     return list;
 }
 
-Table load() {
+ExpressionTable load_expressions() {
     const json document =
         json::parse(read_file(resource_path("assets/expressions.json")), nullptr, false);
     try {
-        Table table;
+        ExpressionTable table;
         table.action_units =
             document.at("action_units").get<std::map<std::string, std::map<std::string, double>>>();
         for (const json& entry : document.at("presets")) {
@@ -80,8 +80,8 @@ Table load() {
     }
 }
 
-const Table& table() {
-    static const Table kTable = load();
+const ExpressionTable& table() {
+    static const ExpressionTable kTable = load_expressions();
     return kTable;
 }
 

@@ -20,7 +20,7 @@ bool of_facial_nerve(const MuscleTraits& traits) {
     return traits.nerve.find('(') == std::string::npos;  // others are named with their number
 }
 
-std::vector<Weakening> load() {
+std::vector<Weakening> load_weakenings() {
     const json document =
         json::parse(read_file(resource_path("assets/weakening.json")), nullptr, false);
     try {
@@ -57,7 +57,7 @@ std::vector<Weakening> load() {
 }  // namespace
 
 const std::vector<Weakening>& weakening_presets() {
-    static const std::vector<Weakening> kPresets = load();
+    static const std::vector<Weakening> kPresets = load_weakenings();
     return kPresets;
 }
 

@@ -70,7 +70,7 @@ void add_furrow(std::vector<FurrowTraits>& atlas, const json& entry) {
     atlas.push_back(std::move(right));
 }
 
-std::vector<FurrowTraits> load() {
+std::vector<FurrowTraits> load_furrows() {
     const json document =
         json::parse(read_file(resource_path("assets/wrinkles.json")), nullptr, false);
     try {
@@ -87,7 +87,7 @@ std::vector<FurrowTraits> load() {
 }  // namespace
 
 const std::vector<FurrowTraits>& furrow_atlas() {
-    static const std::vector<FurrowTraits> kAtlas = load();
+    static const std::vector<FurrowTraits> kAtlas = load_furrows();
     return kAtlas;
 }
 

@@ -14,13 +14,13 @@
 namespace myoface {
 namespace {
 
-constexpr double kStep = 2.0;        // between gauges [mm]
-constexpr double kTaper = 0.28;      // of a furrow's length, at either end
-constexpr double kReach = 3.6;       // of a profile, in widths
-constexpr double kFarthest = 8.0;    // of a line from the face on the average head [mm]
-constexpr double kFacing = 0.35;     // cosine between a vertex' normal and the furrow's
-const Vec3 kBack(1e-7, 1e-7, -1.0);  // into the face, along no axis exactly
-constexpr double kSampling = 0.7;    // blur by the triangles, of the distance between vertices
+constexpr double kStep = 2.0;            // between gauges [mm]
+constexpr double kTaper = 0.28;          // of a furrow's length, at either end
+constexpr double kFurrowReach = 3.6;     // of a profile, in widths
+constexpr double kFarthestFurrow = 8.0;  // of a line from the face on the average head [mm]
+constexpr double kFacing = 0.35;         // cosine between a vertex' normal and the furrow's
+const Vec3 kBack(1e-7, 1e-7, -1.0);      // into the face, along no axis exactly
+constexpr double kSampling = 0.7;        // blur by the triangles, of the distance between vertices
 
 /// The skin on which furrows lie, in the average head's coordinates.
 TriangleMesh facing_skin(const FaceModel& face) {
@@ -103,7 +103,7 @@ public:
         Points normals(3, samples.cols());
         for (Eigen::Index i = 0; i < samples.cols(); ++i) {
             const ClosestPoint found = bvh_.closest_point(mesh_, samples.col(i));
-            if (found.distance > kFarthest) {
+            if (found.distance > kFarthestFurrow) {
                 return {};
             }
             samples.col(i) = found.point;
@@ -221,8 +221,8 @@ public:
     }
 
     const std::vector<int>& near(const Vec3& p) const {
-        static const std::vector<int> kNothing;
-        return segments_.empty() || !box_.contains(p) ? kNothing : cells_[index(cell(p))];
+        static const std::vector<int> kNoFurrow;
+        return segments_.empty() || !box_.contains(p) ? kNoFurrow : cells_[index(cell(p))];
     }
     const Segment& operator[](int s) const { return segments_[static_cast<std::size_t>(s)]; }
 
@@ -373,7 +373,7 @@ std::shared_ptr<const WrinkleMap> map_wrinkles(const FaceModel& face) {
     for (int f = 0; f < furrows; ++f) {
         const int begin = map->first[static_cast<std::size_t>(f)];
         const Line line = line_of(face, *map, begin, map->first[static_cast<std::size_t>(f) + 1]);
-        const double reach = kReach * furrow_atlas()[static_cast<std::size_t>(f)].width;
+        const double reach = kFurrowReach * furrow_atlas()[static_cast<std::size_t>(f)].width;
         for (Eigen::Index i = 0; i + 1 < line.at.cols(); ++i) {
             segments.push_back({f, begin + static_cast<int>(i), line.at.col(i), line.at.col(i + 1),
                                 line.outward.col(i), line.outward.col(i + 1), line.across.col(i),

@@ -11,15 +11,15 @@ namespace myoface {
 namespace {
 
 constexpr int kPairs = 4;
-constexpr int kGrain = 64;            // slices
+constexpr int kBlockGrain = 64;       // slices
 constexpr double kSlack = 1e-6;       // of the largest pair: keeps like pairs from cancelling
 constexpr double kLargestMix = 30.0;  // a combination beyond this is noise
 
 double weighted_dot(const LargeArray<VectorLanes>& a, const LargeArray<VectorLanes>& b,
                     const LargeArray<ScalarLanes>& mass) {
     const auto slices = static_cast<int>(a.size());
-    std::vector<double> sums(static_cast<std::size_t>(slices / kGrain + 1), 0.0);
-    parallel_for(slices, kGrain, [&](int begin, int end) {
+    std::vector<double> sums(static_cast<std::size_t>(slices / kBlockGrain + 1), 0.0);
+    parallel_for(slices, kBlockGrain, [&](int begin, int end) {
         double sum = 0.0;
         for (int s = begin; s < end; ++s) {
             for (int k = 0; k < kLanes; ++k) {
@@ -28,7 +28,7 @@ double weighted_dot(const LargeArray<VectorLanes>& a, const LargeArray<VectorLan
                 sum += static_cast<double>(mass[s].s[k] * product);
             }
         }
-        sums[begin / kGrain] = sum;
+        sums[begin / kBlockGrain] = sum;
     });
     double total = 0.0;
     for (const double sum : sums) {
@@ -49,7 +49,7 @@ bool Anderson::accelerate(const LargeArray<NodeRecord>& from, LargeArray<NodeRec
                           const LargeArray<ScalarLanes>& mass) {
     const auto slices = static_cast<int>(last_to_.size());
     Pair& newest = pairs_[static_cast<std::size_t>(std::max(count_ - 1, 0) % kPairs)];
-    parallel_for(slices, kGrain, [&](int begin, int end) {
+    parallel_for(slices, kBlockGrain, [&](int begin, int end) {
         for (int s = begin; s < end; ++s) {
             for (int k = 0; k < kLanes; ++k) {
                 const auto row = static_cast<std::size_t>(s * kLanes + k);
@@ -85,7 +85,7 @@ bool Anderson::accelerate(const LargeArray<NodeRecord>& from, LargeArray<NodeRec
         return false;
     }
     const Eigen::VectorXf share = mix.cast<float>();
-    parallel_for(slices, kGrain, [&](int begin, int end) {
+    parallel_for(slices, kBlockGrain, [&](int begin, int end) {
         for (int s = begin; s < end; ++s) {
             for (int k = 0; k < kLanes; ++k) {
                 for (int axis = 0; axis < 3; ++axis) {

@@ -21,7 +21,7 @@ constexpr double kStop = 0.7;          // of the tissue's depth: there the bone 
 constexpr double kMuscleArea = 12.0;   // cross-section [mm²]
 constexpr double kMarginOfBone = 0.5;  // that skin keeps from bone, teeth and eyes [mm]
 constexpr double kNear = 2.0;          // of an obstacle: looked at closely [mm]
-constexpr int kGrain = 256;
+constexpr int kSpringGrain = 256;
 
 /// Collects a symmetric matrix entry by entry.
 class MatrixBuilder {
@@ -344,7 +344,7 @@ private:
         barriers.stiffness.assign(static_cast<std::size_t>(model.node_count()), 0.0);
         barriers.clear.assign(static_cast<std::size_t>(model.node_count()), kMarginOfBone);
         barriers.margin = Eigen::MatrixXd::Constant(count, model.node_count(), kMarginOfBone);
-        parallel_for(n, kGrain, [&](int begin, int end) {
+        parallel_for(n, kSpringGrain, [&](int begin, int end) {
             for (int i = begin; i < end; ++i) {
                 // Linings of mouth and nose are thin folds, guessed where a scan has none: what
                 // lies on the wrong side of a bone there would stay caught.

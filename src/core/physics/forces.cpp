@@ -8,7 +8,7 @@
 namespace myoface {
 namespace {
 
-constexpr int kGrain = 512;
+constexpr int kForceGrain = 512;
 
 /// xᵀKx/2 of a symmetric scalar matrix on three components.
 double quadratic(const LinearStiffness& matrix, const Points& u) {
@@ -45,7 +45,7 @@ Points spring_forces(const MassSpringModel& model, const MassSpringState& state,
 Points total_forces(const MassSpringModel& model, const MassSpringState& state, const Drive& drive,
                     bool damped) {
     Points forces(3, model.node_count());
-    parallel_for(model.node_count(), kGrain, [&](int begin, int end) {
+    parallel_for(model.node_count(), kForceGrain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             Vec3 force = node_force(model, state.positions, state.layer, drive, i);
             if (damped) {
@@ -66,7 +66,7 @@ Points total_forces(const MassSpringModel& model, const MassSpringState& state, 
 Points layer_forces(const MassSpringModel& model, const MassSpringState& state,
                     const Drive& drive) {
     Points forces(3, model.skin_nodes);
-    parallel_for(model.skin_nodes, kGrain, [&](int begin, int end) {
+    parallel_for(model.skin_nodes, kForceGrain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             forces.col(i) = layer_node_force(model, state.positions, state.layer, drive, i);
         }

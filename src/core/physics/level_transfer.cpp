@@ -8,7 +8,7 @@
 
 namespace myoface {
 namespace {
-constexpr int kGrain = 512;  // rows
+constexpr int kTransferGrain = 512;  // rows
 }
 
 LevelTransfer::LevelTransfer(const CoarseLevel& level, const PackedModel::Data& finer,
@@ -68,7 +68,7 @@ void LevelTransfer::restrict_ways(const LargeArray<NodeRecord>& finer,
 
 void LevelTransfer::restrict_forces(const LargeArray<VectorLanes>& finer,
                                     LargeArray<VectorLanes>& coarser) const {
-    parallel_for(coarser_rows_, kGrain, [&](int begin, int end) {
+    parallel_for(coarser_rows_, kTransferGrain, [&](int begin, int end) {
         const FlushTiny flush;
         for (int r = begin; r < end; ++r) {
             float sum[3] = {};
@@ -86,7 +86,7 @@ void LevelTransfer::restrict_forces(const LargeArray<VectorLanes>& finer,
 
 void LevelTransfer::prolong(const LargeArray<NodeRecord>& from, const LargeArray<NodeRecord>& to,
                             LargeArray<VectorLanes>& finer) const {
-    parallel_for(finer_rows_, kGrain, [&](int begin, int end) {
+    parallel_for(finer_rows_, kTransferGrain, [&](int begin, int end) {
         const FlushTiny flush;
         for (int r = begin; r < end; ++r) {
             float sum[3] = {};

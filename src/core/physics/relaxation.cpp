@@ -17,7 +17,7 @@ constexpr double kMassSafety = 1.15;  // over Gershgorin's bound for a unit step
 constexpr double kRunaway = 200.0;    // no tissue moves that far [mm]
 constexpr double kLongestStep = 5.0;  // [mm] springs far beyond their limit grow too stiff at once
 constexpr double kSmoothingDamping = 1.0;  // critical for a tenth of the stiffest
-constexpr double kRise = 1e-5;             // of the energy: rounding
+constexpr double kEnergyRise = 1e-5;       // of the energy: rounding
 constexpr int kLayerGrain = 384;
 
 /// Velocity after one unit step under force f.
@@ -326,7 +326,7 @@ RelaxReport Relaxation::run(const RelaxOptions& options, const Hands& hands, boo
         if (k == 0) {
             first_energy_ = energy;
         } else if (weighed && !smoothing && hands.pulls.empty() && layer == nullptr &&
-                   energy > before + kRise * std::abs(before)) {
+                   energy > before + kEnergyRise * std::abs(before)) {
             // Uphill: momentum has carried it past the valley. On from here without.
             std::fill(velocity_.begin(), velocity_.end(), VectorLanes{});
             still = -1;

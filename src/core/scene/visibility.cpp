@@ -18,12 +18,12 @@ namespace myoface {
 namespace {
 
 constexpr int kRays = 48;
-constexpr double kLowest = 0.14;  // sine of the least height of a ray over the surface
-constexpr double kLift = 0.7;     // where a ray starts over the surface [mm]
-constexpr double kReach = 140.0;  // what is further away throws no shadow that is seen [mm]
-constexpr int kFinest = 12000;    // vertices; finer meshes are taken on a coarser one
-constexpr float kSpacing = 2.4F;  // [mm] of that one
-constexpr int kPasses = 2;        // of smoothing, against the noise of few rays
+constexpr double kLowest = 0.14;       // sine of the least height of a ray over the surface
+constexpr double kLift = 0.7;          // where a ray starts over the surface [mm]
+constexpr double kShadeReach = 140.0;  // what is further away throws no shadow that is seen [mm]
+constexpr int kFinest = 12000;         // vertices; finer meshes are taken on a coarser one
+constexpr float kShadeSpacing = 2.4F;  // [mm] of that one
+constexpr int kPasses = 2;             // of smoothing, against the noise of few rays
 
 /// Directions over the plane z = 0, a spiral that fills the half sphere evenly.
 Points directions() {
@@ -71,7 +71,7 @@ Eigen::Matrix4Xd everywhere(const TriangleMesh& mesh, const Progress* progress) 
                 for (int k = 0; k < kRays; ++k) {
                     const auto hit = bvh.first_hit(
                         mesh, {mesh.vertices.col(v) + kLift * normals.col(v), frame * rays.col(k)});
-                    open[k] = hit && hit->distance < kReach ? 0.0 : 1.0;
+                    open[k] = hit && hit->distance < kShadeReach ? 0.0 : 1.0;
                 }
                 const Eigen::Vector4d fit = solve * open;
                 result.col(v) << frame * fit.head<3>(), fit[3];
@@ -106,7 +106,7 @@ Eigen::Matrix4Xf light_visibility(const TriangleMesh& mesh, const Progress* prog
     if (n <= kFinest) {
         found = everywhere(welded.mesh, progress).cast<float>();
     } else {
-        const CoarseMesh coarse = coarsen(welded.mesh, Eigen::VectorXf::Constant(n, kSpacing));
+        const CoarseMesh coarse = coarsen(welded.mesh, Eigen::VectorXf::Constant(n, kShadeSpacing));
         const Eigen::Matrix4Xf known = everywhere(coarse.mesh, progress).cast<float>();
         found.setZero();
         for (int v = 0; v < n; ++v) {

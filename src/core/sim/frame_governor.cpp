@@ -6,13 +6,13 @@
 namespace myoface {
 
 namespace {
-constexpr int kFewest = 3;  // half a round: the next frame goes on with it
-constexpr int kMost = 400;
+constexpr int kFewestSweeps = 3;  // half a round: the next frame goes on with it
+constexpr int kMostSweeps = 400;
 constexpr double kTrust = 0.25;  // in the newest measurement, when it is faster than expected
 }  // namespace
 
 int FrameGovernor::sweeps(double budget) const {
-    return std::clamp(static_cast<int>(budget / each_), kFewest, kMost);
+    return std::clamp(static_cast<int>(budget / each_), kFewestSweeps, kMostSweeps);
 }
 
 void FrameGovernor::learn(const StepReport& report) {

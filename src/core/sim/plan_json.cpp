@@ -14,9 +14,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kPlanSchema = 1;
 constexpr std::size_t kMostEdits = 100'000;
-constexpr double kFarthest = 1e5;  // of a place [mm]
+constexpr double kFarthestMove = 1e5;  // of a place [mm]
 constexpr std::int64_t kMostVertices = 100'000'000;
 
 ordered_json list_of(const Vec3& v) {
@@ -104,8 +104,8 @@ private:
         const bool list = object.contains(key) && object[key].is_array() && object[key].size() == 3;
         for (std::size_t k = 0; k < 3; ++k) {
             const double value =
-                list && object[key][k].is_number() ? object[key][k].get<double>() : kFarthest;
-            if (!(std::abs(value) < kFarthest)) {
+                list && object[key][k].is_number() ? object[key][k].get<double>() : kFarthestMove;
+            if (!(std::abs(value) < kFarthestMove)) {
                 fail(std::string("its \"") + key + "\" is not three numbers of millimetres.");
             }
             v[static_cast<Eigen::Index>(k)] = value;
@@ -168,7 +168,7 @@ private:
             const std::int64_t v = good ? entry[0].get<std::int64_t>() : -1;
             good = good && v >= 0 && v < count;
             for (std::size_t k = 1; good && k < 4; ++k) {
-                good = entry[k].is_number() && std::abs(entry[k].get<double>()) < kFarthest;
+                good = entry[k].is_number() && std::abs(entry[k].get<double>()) < kFarthestMove;
                 if (good) {
                     shape.by(static_cast<Eigen::Index>(k - 1),
                              static_cast<Eigen::Index>(shape.moved.size())) =
@@ -206,7 +206,7 @@ PlanOrigin origin_from_json(const ordered_json& object, const std::string& name)
         }
     }
     const auto number = [&](const ordered_json& value) {
-        if (!value.is_number() || !(std::abs(value.get<double>()) < kFarthest)) {
+        if (!value.is_number() || !(std::abs(value.get<double>()) < kFarthestMove)) {
             throw damaged("holds something else than numbers");
         }
         return value.get<double>();
@@ -284,7 +284,7 @@ RecordedPlan recorded_plan_from_json(const std::string& text, const std::string&
         if (!document["schema"].is_number_integer() || document["schema"].get<std::int64_t>() < 1) {
             throw IoError(name + ": its \"schema\" is no whole number from 1.");
         }
-        if (document["schema"].get<std::int64_t>() > kSchema) {
+        if (document["schema"].get<std::int64_t>() > kPlanSchema) {
             throw IoError(name + ": was written by a newer Myoface; apply it with that one.");
         }
     }
@@ -309,7 +309,7 @@ RecordedPlan recorded_plan_from_json(const std::string& text, const std::string&
 std::string recorded_plan_to_json(const RecordedPlan& plan) {
     ordered_json document;
     document["format"] = "myoface-plan";
-    document["schema"] = kSchema;
+    document["schema"] = kPlanSchema;
     document["note"] = "A planning and communication aid, not a medical device.";
     if (plan.origin) {
         ordered_json origin;

@@ -18,7 +18,7 @@ namespace {
 constexpr double kStillOnScreen = 2e-5;  // a step below this is seen as rest [mm]
 constexpr int kMostSweeps = 12000;
 constexpr int kMostTimeSteps = 400000;
-constexpr double kClose = 0.02;         // [mm]
+constexpr double kCloseEnough = 0.02;   // [mm]
 constexpr int kLiveSteps = 2;           // of a frame in time
 constexpr double kCalm = 1.0;           // [mm/s] from here on live tissue goes straight to rest
 constexpr double kProtection = 2000.0;  // of skin that is to stay [mN/mm per mm²]
@@ -456,7 +456,7 @@ bool Simulator::snap_to_rest() {
         return false;
     }
     const Points left = state_.positions - system_->model.rest;
-    if (left.colwise().squaredNorm().maxCoeff() < kClose * kClose) {
+    if (left.colwise().squaredNorm().maxCoeff() < kCloseEnough * kCloseEnough) {
         state_.positions = system_->model.rest;
         solver_->restart();
         return true;

@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kOffMillimetres = 0.02;
 constexpr double kOffDegrees = 0.1;
-constexpr double kFarthest = 25.0;    // way of a landmark [mm]
-constexpr double kMostStretch = 2.5;  // of the strain at which a region's capacity is used up
-constexpr double kGap = 0.2;          // [mm] between hand and skin: bone holds back
-constexpr double kRough = 5e-5;       // [mm] a step at rest, while the way is still looked for
-constexpr int kMostSettles = 12;      // of one landmark
-constexpr int kHalvings = 4;          // on the way back from a limit
+constexpr double kFarthestWish = 25.0;  // way of a landmark [mm]
+constexpr double kMostStretch = 2.5;    // of the strain at which a region's capacity is used up
+constexpr double kTargetGap = 0.2;      // [mm] between hand and skin: bone holds back
+constexpr double kRough = 5e-5;         // [mm] a step at rest, while the way is still looked for
+constexpr int kMostSettlesEach = 12;    // of one landmark
+constexpr int kHalvings = 4;            // on the way back from a limit
 
 std::string with_unit(double value, bool degrees) {
     char text[40];
@@ -47,7 +47,7 @@ std::vector<std::string> movable(const Measure& measure) {
 /// How a measure changes with its movable landmark; both sides move alike, mirrored.
 Vec3 slope(const Landmarks& here, const Mat3& axes, const Measure& measure,
            const std::string& landmark, bool paired) {
-    constexpr double kStep = 0.05;  // [mm]
+    constexpr double kProbeStep = 0.05;  // [mm]
     Vec3 result = Vec3::Zero();
     for (int axis = 0; axis < 3; ++axis) {
         if (!paired && axis == 0) {
@@ -56,14 +56,14 @@ Vec3 slope(const Landmarks& here, const Mat3& axes, const Measure& measure,
         double value[2];
         for (const int side : {0, 1}) {
             Landmarks moved = here;
-            const double way = side == 0 ? -kStep : kStep;
+            const double way = side == 0 ? -kProbeStep : kProbeStep;
             moved.at(landmark + (paired ? "_l" : "")).position += way * axes.col(axis);
             if (paired) {
                 moved.at(landmark + "_r").position += (axis == 0 ? -way : way) * axes.col(axis);
             }
             value[side] = measured(measure, moved).value_or(0.0);
         }
-        result += (value[1] - value[0]) / (2.0 * kStep) * axes.col(axis);
+        result += (value[1] - value[0]) / (2.0 * kProbeStep) * axes.col(axis);
     }
     return result;
 }
@@ -113,7 +113,7 @@ public:
         double reached = report.reached;
         limit_.clear();
         bool rough = true;
-        for (int k = 0; k < kMostSettles; ++k) {
+        for (int k = 0; k < kMostSettlesEach; ++k) {
             if (std::abs(reached - wanted) <= tolerance) {
                 if (!rough) {
                     break;
@@ -123,7 +123,7 @@ public:
                 continue;
             }
             const double next = at + (wanted - reached) / rise;
-            if (!(std::abs(next) < kFarthest)) {
+            if (!(std::abs(next) < kFarthestWish)) {
                 limit_ = refuse(landmark_ + " would have to go more than 25 mm.");
                 break;
             }
@@ -173,7 +173,7 @@ private:
     }
 
     std::string limit_met() const {
-        if (step_.drag->off_ray_mm > kGap) {
+        if (step_.drag->off_ray_mm > kTargetGap) {
             return refuse("the bone holds back.");
         }
         return step_.drag->strain_share > kMostStretch

@@ -4,20 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "myoface/base/smooth_step.h"
+
 #include "head_parts.h"
 #include "spline.h"
 
 namespace myoface {
 namespace {
-
-double bump(double x) {
-    return std::exp(-x * x);
-}
-
-double step(double edge0, double edge1, double x) {
-    const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 Vec3 mixed(const Vec3& a, const Vec3& b, double share) {
     return a + share * (b - a);
@@ -56,21 +49,21 @@ double noise(const Vec3& p) {
 Vec3 eye_colour(const Vec3& local, bool fine) {
     const double angle = std::acos(std::clamp(local.normalized().z(), -1.0, 1.0));
     const Vec3 sclera(0.87, 0.845, 0.825);
-    Vec3 iris = mixed({0.40, 0.30, 0.20}, {0.25, 0.20, 0.15}, step(0.25, kIrisAngle, angle));
+    Vec3 iris = mixed({0.40, 0.30, 0.20}, {0.25, 0.20, 0.15}, smooth_step(0.25, kIrisAngle, angle));
     if (fine) {
         const double turn = std::atan2(local.y(), local.x());
         const double rays = noise({turn * 14.0, angle * 6.0, 3.0});
         iris += 0.05 * rays * Vec3(1.0, 0.85, 0.6);
     }
     Vec3 colour =
-        mixed(iris, {0.12, 0.10, 0.09}, step(kIrisAngle - 0.09, kIrisAngle - 0.03, angle));
-    colour = mixed(colour, sclera, step(kIrisAngle - 0.03, kIrisAngle + 0.02, angle));
-    colour =
-        mixed(Vec3(0.02, 0.02, 0.02), colour, step(kPupilAngle - 0.01, kPupilAngle + 0.01, angle));
+        mixed(iris, {0.12, 0.10, 0.09}, smooth_step(kIrisAngle - 0.09, kIrisAngle - 0.03, angle));
+    colour = mixed(colour, sclera, smooth_step(kIrisAngle - 0.03, kIrisAngle + 0.02, angle));
+    colour = mixed(Vec3(0.02, 0.02, 0.02), colour,
+                   smooth_step(kPupilAngle - 0.01, kPupilAngle + 0.01, angle));
     // The upper lid throws a shadow on the ball.
-    const double shade = step(0.05, 0.5, local.normalized().y());
-    return mixed(mixed(colour, {0.80, 0.62, 0.58}, 0.5 * step(0.8, 1.2, angle)), {0.2, 0.14, 0.12},
-                 0.45 * shade);
+    const double shade = smooth_step(0.05, 0.5, local.normalized().y());
+    return mixed(mixed(colour, {0.80, 0.62, 0.58}, 0.5 * smooth_step(0.8, 1.2, angle)),
+                 {0.2, 0.14, 0.12}, 0.45 * shade);
 }
 
 const Spline& brow_line() {
@@ -82,17 +75,17 @@ const Spline& brow_line() {
 /// Share of brow hair at a place.
 double brow(const Vec3& q, double x, const HeadLook& look, bool fine) {
     const double lift = 0.9 - 1.1 * look.masculine;
-    const double off = q.y() - brow_line()(x) - lift * (0.4 + 0.6 * step(16.0, 34.0, x));
-    const double half =
-        (2.9 + 0.8 * look.masculine) * step(5.0, 13.0, x) * (1.0 - 0.62 * step(25.0, 50.0, x));
+    const double off = q.y() - brow_line()(x) - lift * (0.4 + 0.6 * smooth_step(16.0, 34.0, x));
+    const double half = (2.9 + 0.8 * look.masculine) * smooth_step(5.0, 13.0, x) *
+                        (1.0 - 0.62 * smooth_step(25.0, 50.0, x));
     if (half < 0.1 || q.z() < 45.0) {
         return 0.0;
     }
-    double share =
-        step(half + 0.7, half - 1.5, std::abs(off)) * step(6.5, 12.0, x) * step(52.0, 44.0, x);
+    double share = smooth_step(half + 0.7, half - 1.5, std::abs(off)) * smooth_step(6.5, 12.0, x) *
+                   smooth_step(52.0, 44.0, x);
     if (fine && share > 0.0) {
         // Hairs lean outwards: streaks along a slanted direction.
-        const double slant = 0.9 - 0.6 * step(14.0, 32.0, x);
+        const double slant = 0.9 - 0.6 * smooth_step(14.0, 32.0, x);
         const double across = q.y() * 0.55 - (x - slant * q.y()) * 1.6;
         share *= 0.72 + 0.5 * noise({across, 0.22 * (x + q.y()), 7.0});
     }
@@ -114,20 +107,23 @@ double lips(const Vec3& q, double x, double soft) {
                                      {-45.4, -44.8, -44.2, -45.4, -46.8, -49.2, -51.1, -52.3});
     static const Spline kLowerBorder({0, 6, 12, 17, 21, 25},
                                      {-60.2, -60, -58.6, -56.5, -54.2, -52.4});
-    return step(-soft, soft, kUpperBorder(x) - q.y()) * step(-soft, soft, q.y() - kLowerBorder(x)) *
-           step(25.5, 23.0, x) * step(70, 80, q.z());
+    return smooth_step(-soft, soft, kUpperBorder(x) - q.y()) *
+           smooth_step(-soft, soft, q.y() - kLowerBorder(x)) * smooth_step(25.5, 23.0, x) *
+           smooth_step(70, 80, q.z());
 }
 
 const Vec3 kNostrilColour(0.31, 0.14, 0.12);
 
 double hair(const Vec3& q, double x, const HeadLook& look, bool fine) {
-    double line = q.z() > 0.0 ? 86.0 - 30.0 * step(40, 76, x) - 30.0 * step(42, -5, q.z())
-                              : 24.0 - 62.0 * step(0, -62, q.z());
-    line += look.old * look.masculine * 8.0 * step(20.0, 60.0, q.z());
+    double line = q.z() > 0.0
+                      ? 86.0 - 30.0 * smooth_step(40, 76, x) - 30.0 * smooth_step(42, -5, q.z())
+                      : 24.0 - 62.0 * smooth_step(0, -62, q.z());
+    line += look.old * look.masculine * 8.0 * smooth_step(20.0, 60.0, q.z());
     // A sideburn before the ear, bare skin around it.
-    const double near_ear = step(24, 10, (Vec3(x, q.y(), q.z()) - Vec3(77, 3, -18)).norm() - 17.0);
-    double share = step(-6.0, 8.0, q.y() - line + (fine ? 2.5 * noise(q / 6.0) : 0.0)) *
-                   (1.0 - near_ear * step(66, 72, x));
+    const double near_ear =
+        smooth_step(24, 10, (Vec3(x, q.y(), q.z()) - Vec3(77, 3, -18)).norm() - 17.0);
+    double share = smooth_step(-6.0, 8.0, q.y() - line + (fine ? 2.5 * noise(q / 6.0) : 0.0)) *
+                   (1.0 - near_ear * smooth_step(66, 72, x));
     if (fine && share > 0.0) {
         share *= 0.86 + 0.14 * noise(q * 1.4) + 0.10 * noise(q * 0.6);
     }
@@ -141,10 +137,12 @@ Vec3 skin(const Vec3& p, const HeadLook& look, bool fine) {
     colour = mixed(colour, {0.80, 0.60, 0.50}, 0.25 * (look.masculine + 1.0) * 0.5);
     colour = mixed(colour, {0.80, 0.66, 0.58}, 0.35 * look.old);
     // A little blood in cheeks, nose and ears; none over the forehead.
-    const double blush =
-        0.30 * bump((Vec3(x, q.y(), 0) - Vec3(41, -12, 0)).norm() / 24.0) * step(20, 50, q.z()) +
-        0.30 * bump((Vec3(x, q.y(), 0) - Vec3(4, -20, 0)).norm() / 13.0) * step(85, 100, q.z()) +
-        0.30 * step(70, 78, x) + 0.12 * bump((q.y() + 84) / 14.0) * step(60, 85, q.z());
+    const double blush = 0.30 * bump((Vec3(x, q.y(), 0) - Vec3(41, -12, 0)).norm() / 24.0) *
+                             smooth_step(20, 50, q.z()) +
+                         0.30 * bump((Vec3(x, q.y(), 0) - Vec3(4, -20, 0)).norm() / 13.0) *
+                             smooth_step(85, 100, q.z()) +
+                         0.30 * smooth_step(70, 78, x) +
+                         0.12 * bump((q.y() + 84) / 14.0) * smooth_step(60, 85, q.z());
     colour = mixed(colour, {0.80, 0.49, 0.42}, std::min(blush, 0.5));
     if (q.z() > 55.0) {
         const double lids = bump((q.y() - 17.0) / 9.0) * bump((x - 30.0) / 16.0);
@@ -157,9 +155,10 @@ Vec3 skin(const Vec3& p, const HeadLook& look, bool fine) {
     if (look.stubble > 0.0 && q.z() > 0.0) {
         // Moustache, chin, jaw and throat; lips and the hollow beside the lower lip stay free.
         // Its upper border hangs from the wings of the nose and rises to the sideburns.
-        const double border = -33.0 - 9.0 * step(12.0, 34.0, x) + 36.0 * step(50.0, 66.0, x);
-        double beard = step(5.0, -7.0, q.y() - border + 2.5 * noise(q / 5.0)) *
-                       step(-128.0, -104.0, q.y()) * step(-6.0, 16.0, q.z());
+        const double border =
+            -33.0 - 9.0 * smooth_step(12.0, 34.0, x) + 36.0 * smooth_step(50.0, 66.0, x);
+        double beard = smooth_step(5.0, -7.0, q.y() - border + 2.5 * noise(q / 5.0)) *
+                       smooth_step(-128.0, -104.0, q.y()) * smooth_step(-6.0, 16.0, q.z());
         beard *= 1.0 - lips(q, x, 2.2);
         if (fine) {
             beard *= 0.75 + 0.6 * noise(q * 2.2);
@@ -174,8 +173,8 @@ Vec3 skin(const Vec3& p, const HeadLook& look, bool fine) {
     }
     colour = mixed(colour, lip, 0.88 * vermilion);
     if (x < 26.0 && q.z() > 70.0) {  // where the lips meet it is dark
-        const double slit =
-            bump((q.y() - average_head().lip_line(x)) / (fine ? 0.55 : 0.7)) * step(25.6, 22.5, x);
+        const double slit = bump((q.y() - average_head().lip_line(x)) / (fine ? 0.55 : 0.7)) *
+                            smooth_step(25.6, 22.5, x);
         colour = mixed(colour, {0.36, 0.15, 0.14}, 0.75 * slit);
     }
     if (fine) {
@@ -184,20 +183,21 @@ Vec3 skin(const Vec3& p, const HeadLook& look, bool fine) {
         // Two grids turned against each other: round spots instead of the lattice's.
         const Vec3 turned(0.8 * p.x() + 0.6 * p.y(), 0.8 * p.y() - 0.6 * p.x(), p.z());
         const double spot = 0.5 * (noise(p * 0.23 + shift) + noise(turned * 0.31 - shift));
-        colour = mixed(colour, {0.62, 0.43, 0.34},
-                       (0.12 + 0.25 * look.old) * step(0.50, 0.68, spot) * (1.0 - vermilion));
+        colour =
+            mixed(colour, {0.62, 0.43, 0.34},
+                  (0.12 + 0.25 * look.old) * smooth_step(0.50, 0.68, spot) * (1.0 - vermilion));
     }
     const double grey = 0.75 * look.old;
     const Vec3 hair_colour = mixed({0.235, 0.175, 0.14}, {0.55, 0.53, 0.51}, grey);
     colour = mixed(colour, hair_colour, 0.8 * brow(q, x, look, fine));
     if (q.z() > 60.0 && x > 15.0 && x < 46.0) {
         // Lashes: a dark line on the margins, fuller on the upper lid and outwards.
-        const double out = step(17.0, 24.0, x) * step(46.0, 42.5, x);
+        const double out = smooth_step(17.0, 24.0, x) * smooth_step(46.0, 42.5, x);
         const double width = fine ? 0.75 : 0.5;
         const double upper = std::abs(lid_distance(q, x, true));
         const double lower = std::abs(lid_distance(q, x, false));
-        const double lash = std::max(step(width + 0.5, width * 0.3, upper),
-                                     0.45 * step(width, width * 0.2, lower)) *
+        const double lash = std::max(smooth_step(width + 0.5, width * 0.3, upper),
+                                     0.45 * smooth_step(width, width * 0.2, lower)) *
                             out;
         colour = mixed(colour, {0.16, 0.11, 0.09}, (0.72 - 0.2 * look.masculine) * lash);
     }
@@ -211,7 +211,8 @@ double nostril_share(const Vec3& q) {
     if (q.z() < 86.0 || std::abs(q.x()) > 14.0 || q.y() > -6.0 || q.y() < -33.0) {
         return 0.0;
     }
-    return 0.95 * step(1.0, 0.1, average_head().nostril(q)) * step(-30.0, -25.5, q.y());
+    return 0.95 * smooth_step(1.0, 0.1, average_head().nostril(q)) *
+           smooth_step(-30.0, -25.5, q.y());
 }
 
 Vec3 head_colour(HeadPart part, const Vec3& p, const HeadLook& look, bool fine) {

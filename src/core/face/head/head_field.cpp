@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "myoface/base/smooth_step.h"
+
 #include "head_contour.h"
 #include "primitives.h"
 
@@ -14,11 +16,6 @@ namespace {
 
 using Bead = HeadField::Bead;
 using Tube = HeadField::Tube;
-
-double smooth_step(double edge0, double edge1, double x) {
-    const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 double sphere(const Vec3& p, const Vec3& centre, double radius) {
     return (p - centre).norm() - radius;

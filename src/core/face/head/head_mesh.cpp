@@ -12,13 +12,10 @@
 
 #include "head_openings.h"
 #include "head_parts.h"
+#include "spline.h"
 
 namespace myoface {
 namespace {
-
-double bump(double x) {
-    return std::exp(-x * x);
-}
 
 /// Share of the general edge length wanted at a place: fine where a face has detail.
 double relative_edge_length(const Vec3& p) {

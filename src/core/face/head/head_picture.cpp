@@ -51,7 +51,7 @@ Eigen::Vector2d on_eye_disc(const Vec3& p) {
 }
 
 /// Pieces that have one colour, as small squares along the lower edge.
-enum Patch { kMargin, kLining, kGum, kTooth, kMound, kPatches };
+enum Patch { kPictureMargin, kLining, kGum, kTooth, kMound, kPatches };
 
 Eigen::Vector2d patch_centre(int patch) {
     return {0.03 + 0.045 * (patch % 3), 0.03 + 0.045 * (patch / 3)};
@@ -64,7 +64,7 @@ constexpr double kStripLeft = 0.86, kStripRight = 0.99, kStripHeight = 0.03;
 int patch_of(HeadPart part) {
     switch (part) {
         case HeadPart::LidMargin:
-            return kMargin;
+            return kPictureMargin;
         case HeadPart::Mouth:
             return kLining;
         case HeadPart::Gum:
@@ -106,11 +106,11 @@ void draw_triangle(std::vector<Texel>& texels, int size, int t,
         return;
     }
     const auto bound = [&](double v) { return std::clamp(static_cast<int>(v), 0, size - 1); };
-    constexpr double kMargin = 0.6;  // texels beyond the edge: no gaps between triangles
-    const double low_u = std::min({uv[0].x(), uv[1].x(), uv[2].x()}) * size - kMargin;
-    const double high_u = std::max({uv[0].x(), uv[1].x(), uv[2].x()}) * size + kMargin;
-    const double low_v = std::min({uv[0].y(), uv[1].y(), uv[2].y()}) * size - kMargin;
-    const double high_v = std::max({uv[0].y(), uv[1].y(), uv[2].y()}) * size + kMargin;
+    constexpr double kPictureMargin = 0.6;  // texels beyond the edge: no gaps between triangles
+    const double low_u = std::min({uv[0].x(), uv[1].x(), uv[2].x()}) * size - kPictureMargin;
+    const double high_u = std::max({uv[0].x(), uv[1].x(), uv[2].x()}) * size + kPictureMargin;
+    const double low_v = std::min({uv[0].y(), uv[1].y(), uv[2].y()}) * size - kPictureMargin;
+    const double high_v = std::max({uv[0].y(), uv[1].y(), uv[2].y()}) * size + kPictureMargin;
     for (int row = bound(low_v); row <= bound(high_v); ++row) {
         for (int column = bound(low_u); column <= bound(high_u); ++column) {
             const Eigen::Vector2d at((column + 0.5) / size, (row + 0.5) / size);

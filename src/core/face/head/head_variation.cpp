@@ -7,16 +7,13 @@
 #include <limits>
 #include <span>
 
+#include "myoface/base/smooth_step.h"
+
 #include "head_contour.h"
 #include "head_mesh.h"
 
 namespace myoface {
 namespace {
-
-double step(double edge0, double edge1, double x) {
-    const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 /// A man's share; a woman's is its opposite.
 constexpr double kJaw = 34.0;
@@ -97,7 +94,7 @@ CurvePlace place_on(const Fold& fold, const Eigen::Vector2d& at) {
             const double side = ab.x() * away.y() - ab.y() * away.x();
             best.off = std::copysign(away.norm(), side);
             const double along = (static_cast<double>(i) + t) / spans;
-            best.inside = step(0.0, 0.25, along) * step(1.0, 0.75, along);
+            best.inside = smooth_step(0.0, 0.25, along) * smooth_step(1.0, 0.75, along);
         }
     }
     return best;

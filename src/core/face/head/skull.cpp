@@ -11,6 +11,7 @@
 #include "myoface/base/error.h"
 #include "myoface/base/parallel.h"
 #include "myoface/base/resources.h"
+#include "myoface/base/smooth_step.h"
 #include "myoface/face/smooth_warp.h"
 #include "myoface/io/text_file.h"
 #include "myoface/mesh/bvh.h"
@@ -124,10 +125,6 @@ public:
     }
 
 private:
-    static double smooth_step(double a, double b, double x) {
-        const double t = std::clamp((x - a) / (b - a), 0.0, 1.0);
-        return t * t * (3.0 - 2.0 * t);
-    }
     static Vec3 turned(const Vec3& d, double degrees) {
         const double angle = degrees * std::numbers::pi / 180.0;
         const double c = std::cos(angle);
@@ -241,7 +238,7 @@ TriangleMesh outer_head() {
     return skin;
 }
 
-Skull build() {
+Skull build_skull() {
     const SkullField field;
     Skull skull;
     MeshBuilder whole;
@@ -326,7 +323,7 @@ const DepthSites& depth_sites() {
 }
 
 const Skull& generic_skull() {
-    static const Skull kSkull = build();
+    static const Skull kSkull = build_skull();
     return kSkull;
 }
 

@@ -9,6 +9,11 @@
 
 namespace myoface {
 
+/// A smooth bump of height 1 around 0.
+inline double bump(double x) {
+    return std::exp(-x * x);
+}
+
 /// Natural cubic spline through a table (C2), constant beyond its ends.
 class Spline {
 public:
