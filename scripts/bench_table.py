@@ -30,6 +30,7 @@ ROWS = [
     ("  1M", "{live_drag_rms_1m_share:.1%} and {live_drag_rms_1s_after_1m_share:.1%}"),
     ("slider move to picture, 100k, median and 99 %",
      "{slider_update_100k_ms:.1f} and {slider_update_p99_100k_ms:.1f} ms"),
+    ("saving a case of a reshaped scan of 1,000,000 vertices", "{save_case_1m_ms:.0f} ms"),
     ("from a file to an answering face, 10k, 100k, 1M",
      "{open_to_interactive_10k_ms:.0f}, {open_to_interactive_100k_ms:.0f}, {open_to_interactive_1m_ms:.0f} ms"),
 ]

@@ -4,6 +4,7 @@
 # the API reference, and the packages of a release build. About an hour and a half on two cores.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+export MYOFACE_LONG_TESTS=1
 .ci/run
 scripts/races.sh
 scripts/fuzz.sh 120

@@ -95,5 +95,5 @@ window "$scan" --size 1280x760 --expression full_smile=0.9 --step compare --comp
 contact expressions-scan "$scan"
 scripts/window_walk.sh "$work/walk" "$scan"
 convert "$work/walk/4-drag.png" -resize 1200x $out/window-shape.png
-montage "$work"/walk/{2-scan,3-fit,5-shaped,6-expression,7-wipe,10-report}.png -tile 3x2 -geometry 640x400+3+3 "$work/walk.png"
+montage "$work"/walk/{2-scan,3-fit,5-shaped,7-pulled,8-released,9-expression,10-wipe,11-map,13-report}.png -tile 3x3 -geometry 640x400+3+3 "$work/walk.png"
 convert "$work/walk.png" -quality 88 $out/walk.jpg

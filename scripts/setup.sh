@@ -8,7 +8,7 @@ packages=(
   build-essential cmake ninja-build pkg-config
   qtbase5-dev libqt5svg5-dev
   libeigen3-dev libglfw3-dev libepoxy-dev libegl-dev
-  nlohmann-json3-dev libcli11-dev libpng-dev libjpeg-dev libzip-dev libassimp-dev libnanoflann-dev
+  nlohmann-json3-dev libcli11-dev libpng-dev libjpeg-dev libzip-dev zlib1g-dev libassimp-dev libnanoflann-dev
   libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev libbullet-dev
   python3 xvfb xauth libgl1-mesa-dri libegl1 fonts-dejavu-core fonts-ipafont-gothic clang-format
   "$@"

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 out=$(mkdir -p "$1" && cd "$1" && pwd)
 face=${2:-generic}
-program=$PWD/build/release/bin/myoface
+program=$PWD/build/${MYOFACE_PRESET:-release}/bin/myoface
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT
 export out face program
@@ -39,12 +39,15 @@ key alt+3
 key ctrl+3; sleep 1                       # the profile
 drag 528 528 -22 -14; shot 4-drag 0.6      # while the hand holds the nose
 xdotool mouseup 1; shot 5-shaped 4
-key ctrl+1; key alt+4; shot 6-expression
-key alt+5; key ctrl+alt+3; shot 7-wipe 2  # before and after
-key ctrl+alt+5; shot 8-map 2
-key ctrl+z; shot 9-undone 3
-key ctrl+y; key alt+6; shot 10-report 3
-key ctrl+k; sleep 0.7; xdotool type "side"; shot 11-search 0.7
+key ctrl+1; key e; at 610 560; shot 6-feel 2  # before, while the hand pulls, after
+drag 610 560 70 -50; shot 7-pulled 1.5
+xdotool mouseup 1; shot 8-released 4
+key alt+4; shot 9-expression
+key alt+5; key ctrl+alt+3; shot 10-wipe 2  # before and after
+key ctrl+alt+5; shot 11-map 2
+key ctrl+z; shot 12-undone 3
+key ctrl+y; key alt+6; shot 13-report 3
+key ctrl+k; sleep 0.7; xdotool type "side"; shot 14-search 0.7
 key Escape
 '
 ls "$out"

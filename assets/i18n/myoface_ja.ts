@@ -3526,6 +3526,10 @@ nothing worth mentioning</source>
         <translation>色またはテクスチャ座標が有限の数値ではありません。</translation>
     </message>
     <message>
+        <source>a contraction is outside -0.5 ... 1.</source>
+        <translation>収縮の値が −0.5～1 の範囲外です。</translation>
+    </message>
+    <message>
         <source>a coordinate is not a finite number.</source>
         <translation>座標が有限の数値ではありません。</translation>
     </message>
@@ -3684,6 +3688,10 @@ nothing worth mentioning</source>
     <message>
         <source>is no journal.</source>
         <translation>作業記録ではありません。</translation>
+    </message>
+    <message>
+        <source>is no preset of an expression (%1).</source>
+        <translation>表情のプリセットではありません（%1）。</translation>
     </message>
     <message>
         <source>is none of OBJ, PLY, STL, glTF and GLB.</source>

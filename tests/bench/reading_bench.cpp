@@ -10,7 +10,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "myoface/cases/case_file.h"
 #include "myoface/io/mesh_file.h"
+#include "myoface/io/text_file.h"
 
 namespace myoface {
 namespace {
@@ -135,6 +137,25 @@ void BM_TinyObj(benchmark::State& state) {
     }
 }
 
+/// A case of that scan, reshaped: packed, written and made safe against a loss of power.
+void BM_SaveCase(benchmark::State& state) {
+    const fs::path file = files().path(FileFormat::PlyBinaryLittle);
+    OpenedFace opened;
+    opened.scan_bytes = read_file(file);
+    opened.scan_name = "scan.ply";
+    opened.scan = std::make_shared<const Scan>(read_mesh(file));
+    CaseState edits;
+    edits.shape = opened.scan->mesh.vertices;
+    const Eigen::Index some = edits.shape.cols() / 10;  // as far as a gesture's reach
+    edits.shape.leftCols(some).row(2).array() +=
+        0.5 + 0.5 * edits.shape.leftCols(some).row(0).array().sin();
+    const fs::path target = file.parent_path() / "ball.myoface";
+    for (auto _ : state) {
+        write_case(target, opened, edits);
+    }
+    state.counters["MiB"] = static_cast<double>(fs::file_size(target)) / 1048576.0;
+}
+
 constexpr auto kObj = FileFormat::Obj;
 constexpr auto kText = FileFormat::PlyAscii;
 constexpr auto kBinary = FileFormat::PlyBinaryLittle;
@@ -180,6 +201,7 @@ BENCHMARK_CAPTURE(BM_Assimp, stl, kStl)
     ->Name("read_stl_1m_assimp_ms")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+BENCHMARK(BM_SaveCase)->Name("save_case_1m_ms")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace myoface

@@ -17,6 +17,7 @@
 #include "no_faces.h"
 #include "spoiled_scan.h"
 #include "test_meshes.h"
+#include "thorough.h"
 
 namespace myoface {
 namespace {
@@ -73,7 +74,7 @@ TEST(LandmarkDetection, FindsThoseOfOthersInAnyTurn) {
 TEST(LandmarkDetection, FindsThemOnSpoiledScansAndKnowsHowWell) {
     std::vector<double> all;
     int within = 0;
-    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    for (std::uint32_t seed = 1; seed <= (test::thorough() ? 30U : 6U); ++seed) {
         const test::SpoiledScan scan = test::spoiled_scan(seed);
         const DetectedLandmarks found = detect_landmarks(scan.mesh);
         EXPECT_GT(found.confidence, 0.5) << scan.story;
@@ -94,7 +95,9 @@ TEST(LandmarkDetection, FindsThemOnSpoiledScansAndKnowsHowWell) {
 }
 
 TEST(LandmarkDetection, RefusesWhatIsNoFace) {
-    for (const test::NoFace& thing : test::no_faces()) {
+    const std::vector<test::NoFace> things = test::no_faces();
+    for (std::size_t k = 0; k < things.size(); k += test::thorough() ? 1 : 3) {
+        const test::NoFace& thing = things[k];
         EXPECT_THROW(detect_landmarks(thing.mesh), InvalidInput) << thing.name;
     }
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "myoface/base/resources.h"
 #include "myoface/io/interchange.h"
 #include "myoface/io/mesh_file.h"
 #include "myoface/io/text_file.h"
@@ -24,6 +25,14 @@ void write_our_files(const std::filesystem::path& folder) {
     write_file(folder / "plan/good", test::good_plan());
     write_file(folder / "landmarks/good", test::good_landmarks());
     write_file(folder / "journal/good", test::good_journal().substr(16));
+    for (const char* kind : {"atlas", "expression"}) {
+        std::filesystem::create_directories(folder / kind);
+    }
+    const std::string atlas = read_file(resource_path("assets/muscles.json"));
+    write_file(folder / "atlas/one", atlas.substr(0, atlas.find("},\n")) + "}]}");
+    write_file(
+        folder / "expression/good",
+        R"({"name": "mine", "contractions": {"zygomaticus_major": 0.5, "mentalis.L": -0.2}})");
     for (const test::BadFile& file : test::bad_files()) {
         const bool text = file.kind == test::BadKind::Plan;
         if ((text || file.kind == test::BadKind::Landmarks) && file.bytes.size() < 5000) {

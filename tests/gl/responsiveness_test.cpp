@@ -13,14 +13,11 @@
 #include "face_files.h"
 #include "gui_watchdog.h"
 #include "simulation_worker.h"
+#include "thorough.h"
 #include "window_fixture.h"
 
 namespace myoface {
 namespace {
-
-bool thorough() {
-    return qEnvironmentVariableIsSet("MYOFACE_LONG_TESTS");
-}
 
 /// A face of so many vertices, written once.
 QString written_face(const test::TemporaryFolder& folder, int vertices) {
@@ -46,8 +43,8 @@ class Responsiveness : public test::Window {};
 
 TEST_F(Responsiveness, OpeningAndSavingNeverHoldUpTheWindow) {
     // [ms] The quick look only finds work of seconds that is done in the window's own thread.
-    const double most = thorough() ? 50.0 : 600.0;
-    const QString file = written_face(folder_, thorough() ? 1000000 : 60000);
+    const double most = test::thorough() ? 50.0 : 600.0;
+    const QString file = written_face(folder_, test::thorough() ? 1000000 : 60000);
     open(path_);
     ASSERT_TRUE(settle());
     constexpr int kLong = 400000;  // [ms]
@@ -78,7 +75,7 @@ TEST_F(Responsiveness, OpeningAndSavingNeverHoldUpTheWindow) {
 }
 
 TEST_F(Responsiveness, OpeningAndClosingAgainAndAgainLeavesNoMemoryBehind) {
-    const int rounds = thorough() ? 200 : 6;
+    const int rounds = test::thorough() ? 200 : 4;
     double early = 0.0;
     for (int round = 0; round < rounds; ++round) {
         open(round % 2 == 0 ? path_ : QStringLiteral("generic"));
@@ -90,7 +87,7 @@ TEST_F(Responsiveness, OpeningAndClosingAgainAndAgainLeavesNoMemoryBehind) {
     const double late = memory();
     std::printf("%d openings: %.0f MiB after a quarter, %.0f MiB at the end\n", rounds, early,
                 late);
-    if (thorough()) {
+    if (test::thorough()) {
         EXPECT_LT(late, 1.1 * early + 20.0);
     }
 }
@@ -98,7 +95,7 @@ TEST_F(Responsiveness, OpeningAndClosingAgainAndAgainLeavesNoMemoryBehind) {
 /// A hand's move, from the event to the snapshot that has it; drawing left out.
 TEST(Latency, OfADragIsAFrame) {
     GenericFaceOptions options;
-    options.vertices = thorough() ? 100000 : 12000;
+    options.vertices = test::thorough() ? 100000 : 12000;
     const GenericFace generic = make_generic_face(options);
     const auto scan = std::make_shared<const Scan>(generic.scan);
     auto simulator = std::make_unique<Simulator>(fit_face(scan, generic.landmarks));
@@ -136,7 +133,7 @@ TEST(Latency, OfADragIsAFrame) {
         return ViewRay{start + Vec3(0.0, up, 0.0) - 600.0 * view, view};
     };
     in_worker([&] { worker->beginDrag(request, ray(0.0)); }, Qt::BlockingQueuedConnection);
-    const int events = thorough() ? 600 : 60;
+    const int events = test::thorough() ? 600 : 60;
     for (int k = 0; k < events; ++k) {
         const double up = 6.0 * std::sin(0.05 * k);
         const std::int64_t now = clock.nsecsElapsed();
@@ -158,7 +155,7 @@ TEST(Latency, OfADragIsAFrame) {
     };
     std::printf("%d events on %d nodes: median %.1f ms, 99 %% %.1f ms\n", events,
                 face->node_count(), share(0.5), share(0.99));
-    if (thorough()) {
+    if (test::thorough()) {
         EXPECT_LE(share(0.99), 16.7);
     }
 }

@@ -32,6 +32,7 @@
 #include "muscle_panel.h"
 #include "shape_panel.h"
 #include "test_meshes.h"
+#include "thorough.h"
 #include "window_fixture.h"
 
 namespace myoface {
@@ -630,7 +631,7 @@ TEST_F(Window, SurvivesRandomActions) {
     const int keys[] = {Qt::Key_X,    Qt::Key_F,    Qt::Key_Escape, Qt::Key_Up,
                         Qt::Key_Left, Qt::Key_Home, Qt::Key_Space,  Qt::Key_Return};
     const QByteArray asked = qgetenv("MYOFACE_RANDOM_ACTIONS");
-    const int actionCount = asked.isEmpty() ? 220 : asked.toInt();
+    const int actionCount = asked.isEmpty() ? (test::thorough() ? 1000 : 120) : asked.toInt();
     for (int k = 0; k < actionCount; ++k) {
         switch (any(6)) {
             case 0:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "myoface/base/points.h"
@@ -81,6 +82,10 @@ struct AtlasMuscle {
 };
 
 using MuscleAtlas = std::vector<AtlasMuscle>;
+
+/// An atlas as assets/muscles.json writes it down, both sides of paired muscles.
+/// @throws IoError when it is damaged
+MuscleAtlas muscle_atlas_from_json(std::string_view text);
 
 /// The atlas that comes with the program: assets/muscles.json, both sides of paired muscles.
 /// @throws IoError when it is damaged

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "myoface/muscle/expression.h"
@@ -12,6 +13,10 @@ namespace myoface {
 /// Where presets of the user's own are kept, one JSON file each: MYOFACE_EXPRESSIONS, else
 /// myoface/expressions in the user's data folder (XDG_DATA_HOME, ~/.local/share, %APPDATA%).
 std::filesystem::path user_expression_folder();
+
+/// A preset as such a file holds it. @param name of the file, for the sentence
+/// @throws IoError when it is damaged or names what is no muscle
+Expression user_expression_from_json(std::string_view text, const std::string& name);
 
 /// All of them by name; files that are damaged are left out. Read anew at each call.
 std::vector<Expression> user_expressions();

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "archive.h"
 
+#include <algorithm>
+#include <cstring>
+#include <deque>
 #include <utility>
 #include <zip.h>
 
 #include "myoface/cases/case_file.h"
+
+#include "deflate.h"
 
 namespace myoface {
 namespace {
@@ -117,6 +122,47 @@ struct Watch {
     }
 };
 
+/// A part that is compressed already, as libzip reads it: it copies such bytes as they are.
+struct ReadyPart {
+    std::size_t size = 0;  ///< before it was compressed
+    Deflated packed;
+    std::size_t at = 0;
+
+    static zip_int64_t serve(void* self, void* data, zip_uint64_t length, zip_source_cmd_t what) {
+        auto* part = static_cast<ReadyPart*>(self);
+        switch (what) {
+            case ZIP_SOURCE_OPEN:
+                part->at = 0;
+                return 0;
+            case ZIP_SOURCE_READ: {
+                const std::size_t taken =
+                    std::min<std::size_t>(length, part->packed.bytes.size() - part->at);
+                std::memcpy(data, part->packed.bytes.data() + part->at, taken);
+                part->at += taken;
+                return static_cast<zip_int64_t>(taken);
+            }
+            case ZIP_SOURCE_STAT: {
+                auto* stat = static_cast<zip_stat_t*>(data);
+                zip_stat_init(stat);
+                stat->valid = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_CRC |
+                              ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
+                stat->size = part->size;
+                stat->comp_size = part->packed.bytes.size();
+                stat->crc = part->packed.sum;
+                stat->comp_method = ZIP_CM_DEFLATE;
+                stat->encryption_method = ZIP_EM_NONE;
+                return sizeof(zip_stat_t);
+            }
+            case ZIP_SOURCE_SUPPORTS:
+                return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ,
+                                                      ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT,
+                                                      ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, -1);
+            default:
+                return 0;
+        }
+    }
+};
+
 }  // namespace
 
 std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& passphrase,
@@ -124,6 +170,7 @@ std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& pass
     const auto fail = [&] {
         return IoError(name + ": the case cannot be packed, memory may be short.");
     };
+    std::deque<ReadyPart> ready;  // libzip keeps their addresses
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, &error);
@@ -136,9 +183,15 @@ std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& pass
     }
     zip_source_keep(target);
     for (const ZipPart& part : parts) {
+        // Time counts more than the last tenth of size.
         constexpr std::size_t kLarge = 1 << 20;
-        zip_source_t* source =
-            zip_source_buffer(archive.get(), part.bytes.data(), part.bytes.size(), 0);
+        const int level = part.bytes.size() > kLarge ? 1 : 6;
+        try {
+            ready.push_back({part.bytes.size(), deflate(part.bytes, level, progress), 0});
+        } catch (const std::bad_alloc&) {
+            throw fail();
+        }
+        zip_source_t* source = zip_source_function(archive.get(), &ReadyPart::serve, &ready.back());
         const zip_int64_t added = source == nullptr ? -1
                                                     : zip_file_add(archive.get(), part.name.c_str(),
                                                                    source, ZIP_FL_OVERWRITE);
@@ -147,9 +200,7 @@ std::string zip_bytes(const std::vector<ZipPart>& parts, const std::string& pass
             throw fail();
         }
         const auto index = static_cast<zip_uint64_t>(added);
-        // Time counts more than the last tenth of size.
-        zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE,
-                                 part.bytes.size() > kLarge ? 1 : 6);
+        zip_set_file_compression(archive.get(), index, ZIP_CM_DEFLATE, 0);
         if (!passphrase.empty() && zip_file_set_encryption(archive.get(), index, ZIP_EM_AES_256,
                                                            passphrase.c_str()) != 0) {
             throw IoError(name +

@@ -25,6 +25,10 @@ Points points_of(const json& list) {
                 list[i].at(static_cast<std::size_t>(axis)).get<double>();
         }
     }
+    constexpr double kHead = 1000.0;  // [mm] No part of one is further out.
+    if (!(points.cwiseAbs().array() < kHead).all()) {
+        throw IoError("a point lies outside every head");
+    }
     return points;
 }
 
@@ -120,26 +124,6 @@ AtlasMuscle on_side(const AtlasMuscle& left, Side side) {
     return muscle;
 }
 
-MuscleAtlas load_atlas() {
-    const json document =
-        json::parse(read_file(resource_path("assets/muscles.json")), nullptr, false);
-    try {
-        MuscleAtlas atlas;
-        for (const json& entry : document.at("muscles")) {
-            const AtlasMuscle muscle = parse_muscle(entry);
-            if (entry.at("side") == "paired") {
-                atlas.push_back(on_side(muscle, Side::Left));
-                atlas.push_back(on_side(muscle, Side::Right));
-            } else {
-                atlas.push_back(muscle);
-            }
-        }
-        return atlas;
-    } catch (const std::exception& error) {
-        throw IoError(std::string("assets/muscles.json is damaged: ") + error.what());
-    }
-}
-
 std::size_t edit_distance(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), 0);
@@ -157,8 +141,28 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+MuscleAtlas muscle_atlas_from_json(std::string_view text) {
+    const json document = json::parse(text, nullptr, false);
+    try {
+        MuscleAtlas atlas;
+        for (const json& entry : document.at("muscles")) {
+            const AtlasMuscle muscle = parse_muscle(entry);
+            if (entry.at("side") == "paired") {
+                atlas.push_back(on_side(muscle, Side::Left));
+                atlas.push_back(on_side(muscle, Side::Right));
+            } else {
+                atlas.push_back(muscle);
+            }
+        }
+        return atlas;
+    } catch (const std::exception& error) {
+        throw IoError(std::string("assets/muscles.json is damaged: ") + error.what());
+    }
+}
+
 const MuscleAtlas& muscle_atlas() {
-    static const MuscleAtlas kAtlas = load_atlas();
+    static const MuscleAtlas kAtlas =
+        muscle_atlas_from_json(read_file(resource_path("assets/muscles.json")));
     return kAtlas;
 }
 

@@ -50,23 +50,6 @@ void check_name(const std::string& name) {
     }
 }
 
-Expression read(const fs::path& file) {
-    const json document = json::parse(read_file(file), nullptr, false);
-    Expression expression;
-    expression.name = document.at("name").get<std::string>();
-    expression.title = expression.title_ja = expression.name;
-    for (const auto& [muscle, rate] : document.at("contractions").items()) {
-        const double value = rate.get<double>();
-        if (!(value >= kLeastContraction && value <= kMostContraction)) {
-            throw InvalidInput("out of range");
-        }
-        for (const int m : muscles_named(muscle)) {
-            expression.rates.emplace_back(m, value);
-        }
-    }
-    return expression;
-}
-
 }  // namespace
 
 fs::path user_expression_folder() {
@@ -83,6 +66,27 @@ fs::path user_expression_folder() {
     return fs::path(roaming != nullptr ? roaming : ".") / "myoface" / "expressions";
 }
 
+Expression user_expression_from_json(std::string_view text, const std::string& name) {
+    const json document = json::parse(text, nullptr, false);
+    try {
+        Expression expression;
+        expression.name = document.at("name").get<std::string>();
+        expression.title = expression.title_ja = expression.name;
+        for (const auto& [muscle, rate] : document.at("contractions").items()) {
+            const double value = rate.get<double>();
+            if (!(value >= kLeastContraction && value <= kMostContraction)) {
+                throw InvalidInput("a contraction is outside -0.5 ... 1.");
+            }
+            for (const int m : muscles_named(muscle)) {
+                expression.rates.emplace_back(m, value);
+            }
+        }
+        return expression;
+    } catch (const std::exception& error) {
+        throw IoError(name + ": is no preset of an expression (" + error.what() + ").");
+    }
+}
+
 std::vector<Expression> user_expressions() {
     std::vector<Expression> result;
     std::error_code error;
@@ -90,7 +94,8 @@ std::vector<Expression> user_expressions() {
          at.increment(error)) {
         try {
             if (at->path().extension() == ".json" && at->file_size() < kLargestFile) {
-                result.push_back(read(at->path()));
+                result.push_back(
+                    user_expression_from_json(read_file(at->path()), at->path().string()));
             }
         } catch (const std::exception&) {
             continue;  // somebody else's file

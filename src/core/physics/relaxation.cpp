@@ -131,6 +131,11 @@ double Relaxation::advance(bool smoothing, bool with_energy) {
     work.longest = static_cast<float>(kLongestStep);
     const double energy =
         packed_.forces_then(records_, force_, with_energy, [&](int begin, int end) {
+            auto at = std::lower_bound(hand_rows_.begin(), hand_rows_.end(), begin * kLanes,
+                                       [](const HandRow& h, int row) { return h.row < row; });
+            for (; at != hand_rows_.end() && at->row < end * kLanes; ++at) {
+                set_row(force_, at->row, of_row(force_, at->row) + at->force);
+            }
             sums_[begin / kSliceGrain] = lane_kernels().step(work, begin, end);
         });
     StepSums total{};
@@ -177,29 +182,64 @@ void Relaxation::advance_layer(const Drive& drive, const Points& layer) {
     layer_last_force_ = layer_force_;
 }
 
-void Relaxation::apply_pull(const RowPull& pull, bool layer) {
-    const HandPull& hand = *pull.hand;
-    const Vec3 f = hand.plane * pull_force(records_, pull);
-    hand_forces_.push_back(f);
-    for (std::size_t k = 0; k < pull.rows.size(); ++k) {
-        const int row = pull.rows[k];
-        if (!is_free(row)) {
-            continue;
+void Relaxation::list_hand_rows(const Hands& hands) {
+    std::vector<HandRow> listed;
+    const auto add = [&](const std::vector<int>& rows, int hand) {
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            listed.push_back({rows[k], hand, k, Vec3::Zero()});
         }
-        const Vec3 part = hand.skin_share * part_of(hand, k, f);
-        const Vec3 inner = of_row(last_force_, row);
-        residual_ += (inner + part).squaredNorm() - inner.squaredNorm();
-        const Vec3 kick = 2.0 / (of_row(mass_, row) * (2.0 + step_damping_)) * part;
-        set_row(velocity_, row, of_row(velocity_, row) + kick);
-        add_way(next_, row, kick);
+    };
+    int hand = 0;
+    for (const RowPull& pull : hands.pulls) {
+        add(pull.rows, hand++);
     }
-    if (!layer || !(hand.layer_share > 0.0)) {
-        return;
+    for (const RowHandle& handle : hands.handles) {
+        add(handle.rows, hand++);
     }
+    std::stable_sort(listed.begin(), listed.end(),
+                     [](const HandRow& a, const HandRow& b) { return a.row < b.row; });
+    const bool same = std::equal(
+        listed.begin(), listed.end(), hand_rows_.begin(), hand_rows_.end(),
+        [](const HandRow& a, const HandRow& b) { return a.row == b.row && a.hand == b.hand; });
+    hand_rows_.swap(listed);
+    if (!same || reactions_.size() != hands.handles.size()) {
+        // Other hands: what they would hold here.
+        reactions_.clear();
+        free_forces(records_, hands, force_, &reactions_);
+    }
+    reactions_.resize(hands.handles.size(), Vec3::Zero());
+    for (std::size_t h = 0; h < reactions_.size(); ++h) {  // the view may have turned
+        const auto& plane = hands.handles[h].plane;
+        reactions_[h] = plane * (plane.transpose() * reactions_[h]);
+    }
+}
+
+/// What the hands do in the step to come: a pull by where its grip is, a handle what it held last.
+void Relaxation::hands_act(const Hands& hands) {
+    hand_forces_.clear();
+    for (const RowPull& pull : hands.pulls) {
+        hand_forces_.push_back(pull.hand->plane * pull_force(records_, pull));
+    }
+    const auto pulls = static_cast<int>(hands.pulls.size());
+    for (HandRow& at : hand_rows_) {
+        if (!is_free(at.row)) {
+            at.force.setZero();
+        } else if (at.hand < pulls) {
+            const auto h = static_cast<std::size_t>(at.hand);
+            const HandPull& hand = *hands.pulls[h].hand;
+            at.force = hand.skin_share * part_of(hand, at.part, hand_forces_[h]);
+        } else {
+            const auto h = static_cast<std::size_t>(at.hand - pulls);
+            at.force = hands.handles[h].weights[at.part] * reactions_[h];
+        }
+    }
+}
+
+void Relaxation::pull_layer(const HandPull& hand, const Vec3& force) {
     for (std::size_t k = 0; k < hand.layer_nodes.size(); ++k) {
         const int i = hand.layer_nodes[k];
         if (packed_.model.fixed[i] == 0) {
-            const Vec3 part = hand.layer_share * hand.layer_weights[k] * f;
+            const Vec3 part = hand.layer_share * hand.layer_weights[k] * force;
             residual_ +=
                 (layer_force_.col(i) + part).squaredNorm() - layer_force_.col(i).squaredNorm();
             const Vec3 kick = 2.0 / (layer_mass_[i] * (2.0 + step_damping_)) * part;
@@ -209,7 +249,8 @@ void Relaxation::apply_pull(const RowPull& pull, bool layer) {
     }
 }
 
-void Relaxation::hold(const RowHandle& handle) {
+/// Puts what a handle holds where it is wanted. @param reaction what that takes, of all steps
+void Relaxation::hold(const RowHandle& handle, Vec3& reaction) {
     double compliance = 0.0;  // Σ w²/M
     Vec3 centre = Vec3::Zero();
     for (std::size_t k = 0; k < handle.rows.size(); ++k) {
@@ -220,10 +261,12 @@ void Relaxation::hold(const RowHandle& handle) {
         }
     }
     if (!(compliance > 0.0)) {
+        hand_forces_.emplace_back(Vec3::Zero());
         return;
     }
     const Vec3 error = handle.plane * (handle.target - handle.plane.transpose() * centre);
-    const Vec3 reaction = 0.5 * (2.0 + step_damping_) / compliance * error;
+    const Vec3 more = 0.5 * (2.0 + step_damping_) / compliance * error;
+    reaction += more;
     hand_forces_.push_back(reaction);
     for (std::size_t k = 0; k < handle.rows.size(); ++k) {
         const int row = handle.rows[k];
@@ -233,7 +276,7 @@ void Relaxation::hold(const RowHandle& handle) {
             set_row(velocity_, row, of_row(velocity_, row) + move);
             // The held nodes are not out of balance by what the hand holds.
             const Vec3 f = of_row(last_force_, row);
-            residual_ += (f + handle.weights[k] * reaction).squaredNorm() - f.squaredNorm();
+            residual_ += (f + handle.weights[k] * more).squaredNorm() - f.squaredNorm();
         }
     }
 }
@@ -262,6 +305,9 @@ void Relaxation::free_forces(const LargeArray<NodeRecord>& records, const Hands&
             }
         }
         if (!(square > 0.0)) {
+            if (held != nullptr) {
+                held->emplace_back(Vec3::Zero());
+            }
             continue;
         }
         const Vec3 taken = handle.plane * (handle.plane.transpose() * sum) / square;
@@ -301,6 +347,7 @@ RelaxReport Relaxation::run(const RelaxOptions& options, const Hands& hands, boo
         cold_start(smoothing, layer != nullptr);
         since_masses_ = kMassesEvery;
     }
+    list_hand_rows(hands);
     RelaxReport report;
     int still = 0;
     double energy = 0.0;
@@ -313,7 +360,7 @@ RelaxReport Relaxation::run(const RelaxOptions& options, const Hands& hands, boo
         }
         ++since_cold_;
         ++since_masses_;
-        hand_forces_.clear();
+        hands_act(hands);
         if (layer != nullptr) {
             positions_ = packed_.model.rest;
             packed_.take(records_, positions_);
@@ -334,11 +381,11 @@ RelaxReport Relaxation::run(const RelaxOptions& options, const Hands& hands, boo
         if (layer != nullptr) {
             advance_layer(drive, *layer);
         }
-        for (const RowPull& pull : hands.pulls) {
-            apply_pull(pull, layer != nullptr);
+        for (std::size_t h = 0; h < hands.pulls.size() && layer != nullptr; ++h) {
+            pull_layer(*hands.pulls[h].hand, hand_forces_[h]);
         }
-        for (const RowHandle& handle : hands.handles) {
-            hold(handle);
+        for (std::size_t h = 0; h < hands.handles.size(); ++h) {
+            hold(hands.handles[h], reactions_[h]);
         }
         const bool look = k % kLookEvery == kLookEvery - 1 || k + 1 == options.iterations;
         if (look) {

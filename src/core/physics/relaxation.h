@@ -64,8 +64,10 @@ private:
     void scale_masses(const Hands& hands, const Drive& drive, bool layer);
     double advance(bool smoothing, bool with_energy);
     void advance_layer(const Drive& drive, const Points& layer);
-    void apply_pull(const RowPull& pull, bool layer);
-    void hold(const RowHandle& handle);
+    void list_hand_rows(const Hands& hands);
+    void hands_act(const Hands& hands);
+    void pull_layer(const HandPull& hand, const Vec3& force);
+    void hold(const RowHandle& handle, Vec3& reaction);
     Eigen::Vector2d pull_force(const LargeArray<NodeRecord>& records, const RowPull& pull) const;
     double largest_step() const;
     bool is_free(int row) const { return of_row(mass_, row) > 0.0F; }
@@ -85,6 +87,16 @@ private:
     double first_energy_ = 0.0;
     bool warm_ = false;
     int since_cold_ = 0, since_masses_ = 0;  ///< iterations
+    /// A row a hand acts on, and how strongly in this step: before it, so that what a hand holds is
+    /// in balance when the step is taken.
+    struct HandRow {
+        int row = 0;
+        int hand = 0;  ///< pulls come first
+        std::size_t part = 0;
+        Vec3 force = Vec3::Zero();
+    };
+    std::vector<HandRow> hand_rows_;  ///< by row
+    std::vector<Vec3> reactions_;     ///< of the handles, last seen
     std::vector<Vec3> hand_forces_;
 };
 
