@@ -9,9 +9,7 @@ seconds=${1:-60}
 targets=("$@")
 [ ${#targets[@]} -eq 0 ] && targets=(obj ply stl mtl interchange case plan landmarks journal atlas expression)
 command -v clang++ >/dev/null || { echo "fuzz.sh: needs clang and libclang-rt-dev" >&2; exit 1; }
-mkdir -p build
-cmake --preset fuzz >build/fuzz.configure.log 2>&1 || { cat build/fuzz.configure.log; exit 1; }
-cmake --build --preset fuzz
+scripts/build.sh fuzz
 build/fuzz/bin/write_seeds build/fuzz/seeds
 mkdir -p build/fuzz/findings
 for target in "${targets[@]}"; do

@@ -2363,6 +2363,10 @@ Look at edit %1: fit and landmarks put its place %2 mm apart.</source>
 <context>
     <name>ShapeTools</name>
     <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
         <source>Grip a place of the face first; then it can be moved by numbers.</source>
         <translation>先に顔の一点をつかんでください。その後、数値で動かせます。</translation>
     </message>

@@ -73,6 +73,8 @@ public:
     void setWipe(double share);
     double wipe() const { return m_wipe; }
     void setLabels(std::vector<ViewLabel> labels) { m_labels = std::move(labels); }
+    /// How hard the hand pulls, at the tip of its arrow; or nothing.
+    void setHandLabel(std::optional<ViewLabel> label) { m_handLabel = std::move(label); }
     /// Colours of a legend in the lower left corner, lowest first, and words at its ends; none: no
     /// legend.
     void setLegend(const QVector<QColor>& colours, const QString& low, const QString& high);
@@ -226,6 +228,7 @@ private:
     ViewStyle m_style;
     QTimer m_turning;
     std::vector<ViewLabel> m_labels;
+    std::optional<ViewLabel> m_handLabel;
     QVector<QColor> m_legend;
     QString m_legendLow, m_legendHigh;
     TriangleMesh m_skin;

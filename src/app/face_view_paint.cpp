@@ -148,11 +148,15 @@ void FaceView::drawWords(QPainter& painter) {
 void FaceView::drawPaneWords(QPainter& painter, const ViewPane& pane) {
     const QRectF& area = pane.area;
     if (!pane.before) {
-        for (const ViewLabel& label : m_labels) {
+        const auto tag = [&](const ViewLabel& label) {
             const PixelPoint p = pixelOf(label.at, pane);
             if (area.contains(QPointF(p.x, p.y))) {
                 drawTag(painter, area, {p.x, p.y - 20.0}, label.text);
             }
+        };
+        std::for_each(m_labels.begin(), m_labels.end(), tag);
+        if (m_handLabel) {
+            tag(*m_handLabel);
         }
     }
     const double top = area.top() + 22.0;

@@ -231,6 +231,7 @@ void ShapeTools::draw(SceneData& scene, const SimSnapshot& snapshot) {
         constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
         m_panel.showMeasure(before.value_or(kUnknown), value.value_or(kUnknown));
     }
+    m_view.setHandLabel(std::nullopt);
     if (!snapshot.dragging) {
         m_view.setInset(std::nullopt);
     }
@@ -245,8 +246,12 @@ void ShapeTools::draw(SceneData& scene, const SimSnapshot& snapshot) {
         if (drag.mode == DragMode::ConstraintPriority) {
             const Vec3 way = drag.target - drag.reached;
             if (way.norm() > 1e-6) {
-                add_arrow(scene.strokes, drag.reached,
-                          kArrowPerNewton * drag.force_mN / 1000.0 * way.normalized(), view, kHand);
+                const double newtons = drag.force_mN / 1000.0;
+                const Vec3 arrow = kArrowPerNewton * newtons * way.normalized();
+                add_arrow(scene.strokes, drag.reached, arrow, view, kHand);
+                m_view.setHandLabel(
+                    ViewLabel{drag.reached + arrow,
+                              tr("%1 N").arg(m_panel.locale().toString(newtons, 'f', 1))});
             }
         }
         return;

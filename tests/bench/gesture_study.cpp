@@ -4,7 +4,8 @@
 // Shaping: random gestures in perspective and orthographic views; how many pixels the point is off
 // the cursor in every frame and at rest, what force is left along the ray, how far from the place
 // that a solver finds which goes there in one move, how far 3, 30 and 300 events differ, what is
-// left after there and back, how often skin folds. Judging: how far an equal stress reaches in four
+// left after there and back, how far skin glides when what the hand holds settles for good, how
+// often skin folds. Judging: how far an equal stress reaches in four
 // regions, how it grows, how much further it goes along a muscle than across, how much volume the
 // face gains or loses. Ends with 1 where a promise is broken.
 #include <cstdio>
@@ -100,12 +101,14 @@ Gesture random_gesture(const FaceModel& face, std::mt19937& random) {
 }
 
 struct Findings {
-    std::vector<double> off_frame, off_settled, view_force, depth, events, back;
+    std::vector<double> off_frame, off_settled, view_force, depth, events, back, glide;
     int yielding = 0, folded_held = 0, folded_kept = 0, gestures = 0;
 };
 
 /// The gesture in so many events. @return where it ends
-Points played(Simulator& sim, const Gesture& gesture, int events, std::vector<double>* off) {
+/// @param glide how far it goes when it settles for good [mm]
+Points played(Simulator& sim, const Gesture& gesture, int events, std::vector<double>* off,
+              std::vector<double>* glide) {
     sim.begin_drag(gesture.request, gesture.ray(0.0));
     for (int e = 1; e <= events; ++e) {
         const double share = static_cast<double>(e) / events;
@@ -115,7 +118,14 @@ Points played(Simulator& sim, const Gesture& gesture, int events, std::vector<do
             off->push_back(gesture.pixels_off(step.drag->reached, share));
         }
     }
+    if (glide != nullptr) {
+        sim.settle(RelaxOptions{}.still_mm, false);
+    }
+    const Points held = sim.state().positions;
     sim.settle();
+    if (glide != nullptr) {
+        glide->push_back(furthest(held, sim.state().positions));
+    }
     return sim.state().positions;
 }
 
@@ -139,7 +149,7 @@ void shape(const FaceModel& face, Simulator& sim, const Gesture& gesture, bool o
         return;
     }
     std::vector<double> off;
-    const Points thirty = played(sim, gesture, 30, &off);
+    const Points thirty = played(sim, gesture, 30, &off, &found.glide);
     const StepReport settled = sim.settle();
     found.off_frame.push_back(quantile(off, 1.0));
     found.off_settled.push_back(gesture.pixels_off(settled.drag->reached, 1.0));
@@ -160,7 +170,7 @@ void shape(const FaceModel& face, Simulator& sim, const Gesture& gesture, bool o
         if (events == 300 && !often) {
             continue;
         }
-        apart = std::max(apart, furthest(played(sim, gesture, events, nullptr), thirty));
+        apart = std::max(apart, furthest(played(sim, gesture, events, nullptr, nullptr), thirty));
         give_up();
     }
     found.events.push_back(apart);
@@ -168,7 +178,7 @@ void shape(const FaceModel& face, Simulator& sim, const Gesture& gesture, bool o
         std::printf("  gesture %u: %.3f mm apart, %.3f mm left after there and back%s\n", seed,
                     apart, found.back.back(), folds ? ", with folds" : "");
     }
-    played(sim, gesture, 30, nullptr);
+    played(sim, gesture, 30, nullptr, nullptr);
     sim.end_drag(true);
     found.folded_kept += turned_over(face, face.skin.mesh.vertices, sim.skin_rest()) > 0;
     sim.set_skin_rest(face.skin.mesh.vertices);
@@ -382,6 +392,7 @@ int main(int argc, char** argv) {
             line("depth beside one move's", found.depth, "mm");
             line("1, 3, 30 (and 300) events apart", found.events, "mm");
             line("left after there and back", found.back, "mm");
+            line("glides when it settles", found.glide, "mm");
             std::printf(
                 "  %d gestures: %d meet bone and yield, %d fold skin while held, %d leave folds\n",
                 found.gestures, found.yielding, found.folded_held, found.folded_kept);

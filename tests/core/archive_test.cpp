@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a case's zip holds comes back as it was, whoever packed it with how many threads.
+#include "cases/archive.h"
+
 #include <random>
 #include <zlib.h>
 
 #include <gtest/gtest.h>
 
-#include "cases/archive.h"
-#include "cases/deflate.h"
 #include "myoface/base/parallel.h"
 #include "myoface/cases/case_file.h"
+
+#include "cases/deflate.h"
 
 namespace myoface {
 namespace {
@@ -45,8 +47,8 @@ TEST(Deflate, GivesOneStreamThatAnyInflaterReads) {
         const std::string bytes = half_random(size);
         const Deflated packed = deflate(bytes, 1);
         EXPECT_EQ(inflated(packed.bytes, size), bytes) << size;
-        EXPECT_EQ(packed.sum, crc32(0, reinterpret_cast<const Bytef*>(bytes.data()),
-                                    static_cast<uInt>(size)))
+        EXPECT_EQ(packed.sum,
+                  crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(size)))
             << size;
     }
 }

@@ -50,6 +50,19 @@ TEST(DistanceField, HasTheSlopeOfWhatItSays) {
     }
 }
 
+TEST(DistanceField, HasNoKinks) {
+    // Along a line through many cells, past sharp edges: the slope turns, it does not jump.
+    const DistanceField field(test::sphere(8.0, 4, 4));
+    constexpr double kStep = 1e-4;
+    const Vec3 way = Vec3(0.62, 0.57, 0.54).normalized();
+    Vec3 last = field.at(Vec3(-9.0, -6.0, -4.0)).slope;
+    for (int k = 1; k < 150000; ++k) {
+        const Vec3 slope = field.at(Vec3(-9.0, -6.0, -4.0) + k * kStep * way).slope;
+        ASSERT_LT((slope - last).norm(), 5.0 * kStep) << k;
+        last = slope;
+    }
+}
+
 TEST(DistanceField, SaysTheSameWhoeverAsksFirst) {
     const TriangleMesh surface = test::sphere(10.0);
     const DistanceField alone(surface);

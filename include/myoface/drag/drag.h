@@ -71,9 +71,12 @@ public:
     /// Relaxes with at most `iterations` sweeps. @return whether all came to rest
     RelaxReport update(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
                        int iterations);
-    /// Until at rest: for scripts, and when a gesture ends.
+    /// Until at rest: for scripts, and when a gesture ends. A face pulled far may rest in more than
+    /// one shape, and which it meets depends on its way there: so it goes anew, straight from the
+    /// grip to the ray, and what becomes of a gesture depends on nothing but its ends.
+    /// @param anew false: on from where it is, which is quicker from a place nearby
     RelaxReport settle(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
-                       double still_mm = RelaxOptions{}.still_mm);
+                       double still_mm = RelaxOptions{}.still_mm, bool anew = true);
 
     /// @param with_forces also the force along the view, which takes two passes over the model
     DragReport report(const MassSpringState& state, const Drive& drive, bool with_forces) const;
@@ -107,6 +110,8 @@ private:
     std::vector<HandPull> pulls() const;
     Drive with_first_stage(const Drive& drive) const;
     ViewRay guided(const Hand& hand, const ViewRay& ray) const;
+    void back_to_grip(EquilibriumSolver& solver, MassSpringState& state);
+    Vec3 kernel_centre(const Hand& hand) const;
     double step_towards_ray(MassSpringState& state);
     double put_on_ray(MassSpringState& state);
     void take_forces(const EquilibriumSolver& solver);

@@ -11,10 +11,12 @@
 
 namespace myoface {
 
-/// Signed distance to a closed surface, negative inside: exact at the corners of a lattice,
-/// trilinear between them, so that its gradient is the gradient of what it says. Blocks of the
-/// lattice are filled when somebody first asks there; what they hold does not depend on when or by
-/// whom, and any number of threads may ask. @cite ericson_collision
+/// Signed distance to a closed surface, negative inside: quadratic B-splines over exact values on a
+/// lattice. Its gradient is the gradient of what it says and has no jumps: where a slope jumps,
+/// skin that is pressed against bone finds no rest. A surface of radius R seems h²/4R further out
+/// for it (h: cell). Blocks of the lattice are filled when somebody first asks there; what they
+/// hold does not depend on when or by whom, and any number of threads may ask. @cite
+/// ericson_collision
 class DistanceField {
 public:
     /// @param surface closed, faces outwards [mm]
@@ -37,8 +39,9 @@ public:
     const TriangleMesh& surface() const { return surface_; }
 
 private:
-    static constexpr int kSide = 4;  ///< cells of a block along an edge
-    using Block = std::array<float, (kSide + 1) * (kSide + 1) * (kSide + 1)>;
+    static constexpr int kSide = 4;         ///< lattice points of a block along an edge
+    static constexpr int kRow = kSide + 2;  ///< with the neighbours beyond
+    using Block = std::array<float, kRow * kRow * kRow>;
 
     double exact(const Vec3& p, double within) const;
     const Block& block(const Eigen::Vector3i& which) const;

@@ -107,7 +107,8 @@ public:
     /// A bounded piece of work towards rest, for one frame.
     StepReport step(int iterations);
     /// Until at rest. @param still_mm a step below this counts as rest [mm]
-    StepReport settle(double still_mm = RelaxOptions{}.still_mm);
+    /// @param anew a hand's way from its grip again. @see SkinDrag::settle()
+    StepReport settle(double still_mm = RelaxOptions{}.still_mm, bool anew = true);
     /// Lets so much time go by, as live motion. @param seconds > 0
     StepReport live_on(double seconds);
 

@@ -80,8 +80,7 @@ Deflated deflate(std::string_view bytes, int level, const Progress* progress) {
         whole.bytes += pieces[k].bytes;
         if (k > 0) {
             const auto length = static_cast<z_off_t>(bytes.substr(k * kPiece, kPiece).size());
-            whole.sum =
-                static_cast<std::uint32_t>(crc32_combine(whole.sum, pieces[k].sum, length));
+            whole.sum = static_cast<std::uint32_t>(crc32_combine(whole.sum, pieces[k].sum, length));
         }
     }
     return whole;

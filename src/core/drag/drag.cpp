@@ -20,6 +20,8 @@ constexpr double kAlongFibres = 2.5;     // a stress goes so many times further 
 constexpr double kJudgingRadius = 12.0;  // [mm]
 constexpr int kBisections = 7;
 constexpr int kSettleSweeps = 6000;
+constexpr int kMostSettleSweeps = 10 * kSettleSweeps;
+constexpr double kRefusedAtOnce = 0.25;
 constexpr int kBetweenJumps = 3;  // sweeps while a quick hand is followed
 constexpr int kMostJumps = 8;
 constexpr double kOnRay = 0.002;  // [mm]
@@ -103,11 +105,7 @@ SkinDrag::Hand SkinDrag::make_hand(const SurfacePoint& where, const ViewRay& ray
     }
     hand.peak = std::max(hand.peak, 0.2);
     hand.ray = guided(hand, ray);
-    Vec3 centre = Vec3::Zero();
-    for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
-        centre += hand.kernel.weights[k] * start_.col(hand.kernel.nodes[k]);
-    }
-    hand.target = in_plane(hand.ray, centre);
+    hand.target = in_plane(hand.ray, kernel_centre(hand));
     std::vector<char> near(static_cast<std::size_t>(face_.node_count()), 0);
     for (const int node : stress_kernel(face_, start_, hand.grip, 2.0 * radius, 1.0).nodes) {
         near[node] = 1;
@@ -132,11 +130,7 @@ void SkinDrag::add_mirrored_hand() {
     hands_.push_back(hand);
     hands_[1].ray = mirrored(hands_.front().ray);
     // The plane of the mirrored view differs: set the target anew.
-    Vec3 centre = Vec3::Zero();
-    for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
-        centre += hand.kernel.weights[k] * start_.col(hand.kernel.nodes[k]);
-    }
-    hands_[1].target = in_plane(hands_[1].ray, centre);
+    hands_[1].target = in_plane(hands_[1].ray, kernel_centre(hand));
 }
 
 ViewRay SkinDrag::mirrored(const ViewRay& ray) const {
@@ -271,6 +265,28 @@ bool SkinDrag::yield_to_force(bool may_follow) {
         }
     }
     return moved;
+}
+
+Vec3 SkinDrag::kernel_centre(const Hand& hand) const {
+    Vec3 centre = Vec3::Zero();
+    for (std::size_t k = 0; k < hand.kernel.nodes.size(); ++k) {
+        centre += hand.kernel.weights[k] * start_.col(hand.kernel.nodes[k]);
+    }
+    return centre;
+}
+
+/// As if the hand had just gripped and had the whole way before it.
+void SkinDrag::back_to_grip(EquilibriumSolver& solver, MassSpringState& state) {
+    state.positions = start_;
+    for (Hand& hand : hands_) {
+        hand.target = in_plane(hand.ray, kernel_centre(hand));
+        hand.behind.setZero();
+        hand.force.setZero();
+    }
+    second_stage_ = false;
+    layer_share_ = 0.0;
+    state.layer.resize(3, 0);
+    solver.restart();
 }
 
 double SkinDrag::step_towards_ray(MassSpringState& state) {
@@ -466,12 +482,12 @@ RelaxReport SkinDrag::bisect_share(EquilibriumSolver& solver, MassSpringState& s
 }
 
 RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
-                             double still_mm) {
-    if (request_.mode == DragMode::ConstraintPriority) {
-        second_stage_ = false;
-        layer_share_ = 0.0;
-        state.layer.resize(3, 0);
-        solver.restart();
+                             double still_mm, bool anew) {
+    const bool judging = request_.mode == DragMode::ConstraintPriority;
+    if (anew || judging) {
+        back_to_grip(solver, state);
+    }
+    if (judging) {
         RelaxReport report = bisect_share(solver, state, drive, skin_share_, 1.0, 1.0);
         if (skin_share_ < 0.999) {
             const int sweeps = report.iterations;
@@ -484,7 +500,8 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state, 
     }
     RelaxReport report;
     int sweeps = 0;
-    for (int round = 0; round < 200; ++round) {
+    double refused = 0.0;  // of the way
+    while (sweeps < kMostSettleSweeps) {
         const double left = step_towards_ray(state);
         RelaxOptions options;
         options.iterations = left > 0.0 ? 20 : kSettleSweeps;
@@ -492,25 +509,36 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state, 
         report = solver.relax(state, drive, options, handles());
         sweeps += report.iterations;
         take_forces(solver);
-        if (!report.finite) {
-            break;
+        if (!report.finite) {  // a hand that no tissue can follow: less of its way
+            back_to_grip(solver, state);
+            refused = std::min(1.0, refused + kRefusedAtOnce);
+            for (Hand& hand : hands_) {
+                hand.behind = refused * way_to_goal(hand, hand.start);
+            }
+            ++sweeps;
+            continue;
         }
         if (yield_to_force(false)) {
             continue;
         }
-        if (left == 0.0) {
-            double worst = furthest_from_goal(state.positions);
-            if (worst < kOnRay && report.converged) {
-                break;
-            }
-            // Only the target is put right from here on: the face is close to its place.
-            for (int fine = 0; fine < 12 && worst >= kOnRay; ++fine) {
-                correct_targets(state.positions);
-                report = solver.relax(state, drive, options, handles());
-                sweeps += report.iterations;
-                worst = furthest_from_goal(state.positions);
-            }
+        if (left > 0.0) {
+            continue;
+        }
+        double worst = furthest_from_goal(state.positions);
+        if (worst < kOnRay && report.converged) {
+            break;
+        }
+        // Only the target is put right from here on: the face is close to its place.
+        bool yields = false;
+        for (int fine = 0; fine < 12 && worst >= kOnRay && !yields; ++fine) {
+            correct_targets(state.positions);
+            report = solver.relax(state, drive, options, handles());
+            sweeps += report.iterations;
             take_forces(solver);
+            worst = furthest_from_goal(state.positions);
+            yields = yield_to_force(false);
+        }
+        if (!yields) {
             put_on_ray(state);
             break;
         }

@@ -2,6 +2,7 @@
 #include "myoface/mesh/distance_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -23,7 +24,9 @@ DistanceField::DistanceField(TriangleMesh surface, double cell)
       box_(surface_.vertices.rowwise().minCoeff(), surface_.vertices.rowwise().maxCoeff()) {
     box_.min().array() -= kAround;
     box_.max().array() += kAround;
-    blocks_ = (box_.sizes() / (cell_ * kSide)).array().ceil().cast<int>();
+    // One more than the box needs: its last point may be nearest to a lattice point beyond.
+    const Eigen::Array3d points = box_.sizes().array() / cell_ + 1.0;
+    blocks_ = (points / kSide).ceil().cast<int>();
     filled_ = std::vector<std::atomic<const Block*>>(static_cast<std::size_t>(blocks_.prod()));
 }
 
@@ -58,9 +61,9 @@ const DistanceField::Block& DistanceField::block(const Eigen::Vector3i& which) c
     std::size_t corner = 0;
     Vec3 last = Vec3::Zero();
     double within = std::numeric_limits<double>::infinity();
-    for (int z = 0; z <= kSide; ++z) {
-        for (int y = 0; y <= kSide; ++y) {
-            for (int x = 0; x <= kSide; ++x) {
+    for (int z = -1; z <= kSide; ++z) {
+        for (int y = -1; y <= kSide; ++y) {
+            for (int x = -1; x <= kSide; ++x) {
                 const Eigen::Vector3i lattice = kSide * which + Eigen::Vector3i(x, y, z);
                 const Vec3 p = box_.min() + cell_ * lattice.cast<double>();
                 // No further than from the corner before it and the way from there.
@@ -85,39 +88,42 @@ DistanceField::Sample DistanceField::at(const Vec3& p) const {
     }
     const Vec3 place = (p - box_.min()) / cell_;
     Eigen::Vector3i which;
-    Eigen::Vector3i cell;
-    Vec3 share;
+    Eigen::Vector3i first;      // of the three points a spline reaches over, within the block
+    std::array<Vec3, 3> share;  // of each of them, per axis
+    std::array<Vec3, 3> rise;
     for (int axis = 0; axis < 3; ++axis) {
-        const int lattice = std::min(static_cast<int>(place[axis]), blocks_[axis] * kSide - 1);
-        which[axis] = lattice / kSide;
-        cell[axis] = lattice % kSide;
-        share[axis] = place[axis] - lattice;
+        const int nearest = static_cast<int>(place[axis] + 0.5);
+        which[axis] = nearest / kSide;
+        first[axis] = nearest % kSide;
+        const double t = place[axis] - nearest;  // −½ … ½
+        share[0][axis] = 0.5 * (0.5 - t) * (0.5 - t);
+        share[1][axis] = 0.75 - t * t;
+        share[2][axis] = 0.5 * (0.5 + t) * (0.5 + t);
+        rise[0][axis] = t - 0.5;
+        rise[1][axis] = -2.0 * t;
+        rise[2][axis] = t + 0.5;
     }
     const Block& values = block(which);
-    constexpr int kRow = kSide + 1;
-    const int first = cell.x() + kRow * (cell.y() + kRow * cell.z());
-    const auto value = [&](int x, int y, int z) {
-        return static_cast<double>(
-            values[static_cast<std::size_t>(first + x + kRow * (y + kRow * z))]);
-    };
-    // Along x, then y, then z; the slopes by the same steps.
-    double along[2][2];
-    double rise[2][2];
-    for (int z = 0; z < 2; ++z) {
-        for (int y = 0; y < 2; ++y) {
-            rise[z][y] = value(1, y, z) - value(0, y, z);
-            along[z][y] = value(0, y, z) + share.x() * rise[z][y];
-        }
-    }
-    const auto mix = [](double a, double b, double t) { return a + t * (b - a); };
-    const double low = mix(along[0][0], along[0][1], share.y());
-    const double high = mix(along[1][0], along[1][1], share.y());
     Sample sample;
-    sample.distance = mix(low, high, share.z());
-    sample.slope.x() = mix(mix(rise[0][0], rise[0][1], share.y()),
-                           mix(rise[1][0], rise[1][1], share.y()), share.z());
-    sample.slope.y() = mix(along[0][1] - along[0][0], along[1][1] - along[1][0], share.z());
-    sample.slope.z() = high - low;
+    for (std::size_t z = 0; z < 3; ++z) {
+        Vec3 plane = Vec3::Zero();  // the value in it, and its slopes along x and y
+        for (std::size_t y = 0; y < 3; ++y) {
+            const float* row = &values[static_cast<std::size_t>(first.x()) +
+                                       kRow * (static_cast<std::size_t>(first.y()) + y +
+                                               kRow * (static_cast<std::size_t>(first.z()) + z))];
+            double along = 0.0;
+            double steep = 0.0;
+            for (std::size_t x = 0; x < 3; ++x) {
+                const auto value = static_cast<double>(row[x]);
+                along += share[x].x() * value;
+                steep += rise[x].x() * value;
+            }
+            plane += Vec3(share[y].y() * along, share[y].y() * steep, rise[y].y() * along);
+        }
+        sample.distance += share[z].z() * plane[0];
+        sample.slope +=
+            Vec3(share[z].z() * plane[1], share[z].z() * plane[2], rise[z].z() * plane[0]);
+    }
     sample.slope /= cell_;
     return sample;
 }

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "myoface/base/parallel.h"
+#include "myoface/base/smooth_step.h"
 #include "myoface/mesh/bvh.h"
 #include "myoface/muscle/wrinkle.h"
 
@@ -83,7 +84,7 @@ Points evenly(const Points& line, double step) {
 
 class Placing {
 public:
-    explicit Placing(const FaceModel& face) : face_(face), mesh_(facing_skin(face)), bvh_(mesh_) {}
+    explicit Placing(const FaceModel& face) : mesh_(facing_skin(face)), bvh_(mesh_) {}
 
     /// The gauges of a furrow, or none where the scan does not have the place.
     std::vector<WrinkleMap::Gauge> gauges(int furrow) const {
@@ -123,8 +124,7 @@ public:
             gauge.low = place(samples.col(i) - (1.0 - traits.lean) * traits.gauge * across);
             gauge.high = place(samples.col(i) + (1.0 + traits.lean) * traits.gauge * across);
             const double along = static_cast<double>(i) / static_cast<double>(n - 1);
-            const double end = std::min(1.0, std::min(along, 1.0 - along) / kTaper);
-            gauge.taper = end * end * (3.0 - 2.0 * end);
+            gauge.taper = smooth_step(0.0, kTaper, std::min(along, 1.0 - along));
             result.push_back(gauge);
         }
         return result;
@@ -141,7 +141,6 @@ private:
         return result;
     }
 
-    const FaceModel& face_;
     TriangleMesh mesh_;
     Bvh bvh_;
 };

@@ -119,6 +119,7 @@ struct EquilibriumSolver::Level {
         steps_done = steps == kSmoothingSteps ? steps_done : 0;
         steps = kSmoothingSteps;
         last_far = 0.0;
+        relaxation.renew_masses();
         if (anderson) {
             anderson->restart();
         }
@@ -282,6 +283,7 @@ double EquilibriumSolver::Level::correct_far(const Relaxation::Hands& hands, con
     options.iterations = below->below ? kSmoothingSteps : kCoarseSteps;
     options.still_mm = 1e-6;
     coarse.restart();
+    coarse.forget_hands();
     below->begin_rounds();
     const Relaxation::Hands coarse_hands{handles, {}};
     const RelaxReport report = below->below
@@ -323,6 +325,7 @@ void EquilibriumSolver::loads_changed() {
 
 void EquilibriumSolver::restart() {
     level_->relaxation.restart();
+    level_->relaxation.forget_hands();
     level_->begin_rounds();
 }
 

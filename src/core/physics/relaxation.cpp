@@ -50,7 +50,7 @@ Relaxation::Relaxation(const MassSpringModel& model)
 
 void Relaxation::set_drive(const Drive& drive) {
     packed_.set_drive(drive);
-    since_masses_ = kMassesEvery;  // fitted to the stiffness anew
+    renew_masses();
 }
 
 void Relaxation::cold_start(bool smoothing, bool layer) {
@@ -202,7 +202,7 @@ void Relaxation::list_hand_rows(const Hands& hands) {
         listed.begin(), listed.end(), hand_rows_.begin(), hand_rows_.end(),
         [](const HandRow& a, const HandRow& b) { return a.row == b.row && a.hand == b.hand; });
     hand_rows_.swap(listed);
-    if (!same || reactions_.size() != hands.handles.size()) {
+    if (!same || hand_rows_.empty() || reactions_.size() != hands.handles.size()) {
         // Other hands: what they would hold here.
         reactions_.clear();
         free_forces(records_, hands, force_, &reactions_);

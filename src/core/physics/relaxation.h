@@ -37,6 +37,10 @@ public:
 
     void set_drive(const Drive& drive);
     void restart() { warm_ = false; }
+    /// Skin may be stretched otherwise from here on: masses are fitted to its stiffness anew.
+    void renew_masses() { since_masses_ = kMassesEvery; }
+    /// What hands held counts no more.
+    void forget_hands() { hand_rows_.clear(); }
 
     struct Hands {
         std::span<const RowHandle> handles;

@@ -343,7 +343,7 @@ StepReport Simulator::step(int iterations) {
     return report;
 }
 
-StepReport Simulator::settle(double still_mm) {
+StepReport Simulator::settle(double still_mm, bool anew) {
     const auto start = std::chrono::steady_clock::now();
     stop_motion();
     StepReport report;
@@ -352,7 +352,7 @@ StepReport Simulator::settle(double still_mm) {
     } else {
         RelaxReport relaxed;
         if (drag_) {
-            relaxed = drag_->settle(*solver_, state_, drive_, still_mm);
+            relaxed = drag_->settle(*solver_, state_, drive_, still_mm, anew);
             report.drag = drag_->report(state_, drive_, true);
         } else {
             RelaxOptions options;
