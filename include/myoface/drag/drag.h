@@ -84,6 +84,12 @@ public:
     const StressKernel& kernel() const { return hands_.front().kernel; }
 
 private:
+    /// What is known of how the grabbed point follows the target of its handle, in the view plane.
+    struct TargetSearch {
+        bool begun = false;
+        Eigen::Vector2d error = Eigen::Vector2d::Zero(), move = Eigen::Vector2d::Zero();
+        Eigen::Matrix2d gain = Eigen::Matrix2d::Identity();
+    };
     /// One grip; a mirrored drag has two.
     struct Hand {
         Grip grip;
@@ -97,6 +103,7 @@ private:
         Eigen::Vector2d target = Eigen::Vector2d::Zero();  ///< of the handle, in the view plane
         /// What a hand that would have to pull harder than its bound stays behind by, in the plane.
         Eigen::Vector2d behind = Eigen::Vector2d::Zero();
+        TargetSearch search;
         Vec3 force = Vec3::Zero();       ///< of the hand, last seen
         Vec3 skin_force = Vec3::Zero();  ///< of stage 1, kept during stage 2
         std::vector<int> near_springs;   ///< within two radii: where strain is watched
@@ -115,7 +122,7 @@ private:
     double step_towards_ray(MassSpringState& state);
     double put_on_ray(MassSpringState& state);
     void take_forces(const EquilibriumSolver& solver);
-    double correct_targets(const Points& positions);
+    void correct_targets(const Points& positions);
     static Eigen::Vector2d way_to_goal(const Hand& hand, const Vec3& at);
     bool yield_to_force(bool may_follow);
     double furthest_from_goal(const Points& positions) const;

@@ -22,9 +22,12 @@ constexpr int kBisections = 7;
 constexpr int kSettleSweeps = 6000;
 constexpr int kMostSettleSweeps = 10 * kSettleSweeps;
 constexpr double kRefusedAtOnce = 0.25;
-constexpr int kBetweenJumps = 3;  // sweeps while a quick hand is followed
+constexpr int kMostCorrections = 20;
+constexpr double kRoughly = 10.0;  // times what counts as rest at last
+constexpr int kBetweenJumps = 3;   // sweeps while a quick hand is followed
 constexpr int kMostJumps = 8;
-constexpr double kOnRay = 0.002;  // [mm]
+constexpr double kOnRay = 0.002;   // [mm]
+constexpr double kNearRay = 0.02;  // [mm]
 
 Eigen::Vector2d in_plane(const ViewRay& ray, const Vec3& point) {
     return view_plane(ray.direction).transpose() * point;
@@ -282,6 +285,7 @@ void SkinDrag::back_to_grip(EquilibriumSolver& solver, MassSpringState& state) {
         hand.target = in_plane(hand.ray, kernel_centre(hand));
         hand.behind.setZero();
         hand.force.setZero();
+        hand.search = {};
     }
     second_stage_ = false;
     layer_share_ = 0.0;
@@ -345,16 +349,32 @@ void SkinDrag::take_forces(const EquilibriumSolver& solver) {
     }
 }
 
-/// The handle holds a mean of the kernel's nodes; the point itself must lie on the ray.
-double SkinDrag::correct_targets(const Points& positions) {
-    double worst = 0.0;
+/// The handle holds a mean of the kernel's nodes; the point itself must lie on the ray. How far the
+/// target must go for the point to go a millimetre is learnt from one correction to the next.
+/// @cite broyden_1965
+void SkinDrag::correct_targets(const Points& positions) {
+    constexpr double kFirst = 0.7;
+    constexpr double kMost = 5.0;
     for (Hand& hand : hands_) {
-        const Vec3 at = grip_position(hand.grip, positions);
-        const Eigen::Vector2d error = way_to_goal(hand, at);
-        hand.target += 0.7 * error;
-        worst = std::max(worst, error.norm());
+        TargetSearch& search = hand.search;
+        const Eigen::Vector2d error = way_to_goal(hand, grip_position(hand.grip, positions));
+        if (search.begun) {
+            const Eigen::Vector2d went = search.error - error;  // of the point
+            const Eigen::Vector2d said = search.gain * went;
+            const double along = search.move.dot(said);
+            if (std::abs(along) > 0.1 * search.move.squaredNorm()) {
+                search.gain +=
+                    (search.move - said) * (search.move.transpose() * search.gain) / along;
+            }
+        }
+        if (!search.begun || !(search.gain.norm() < kMost)) {
+            search.gain = kFirst * Eigen::Matrix2d::Identity();
+        }
+        search.begun = true;
+        search.error = error;
+        search.move = search.gain * error;
+        hand.target += search.move;
     }
-    return worst;
 }
 
 double SkinDrag::strain_share(const Points& positions) const {
@@ -505,7 +525,7 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state, 
         const double left = step_towards_ray(state);
         RelaxOptions options;
         options.iterations = left > 0.0 ? 20 : kSettleSweeps;
-        options.still_mm = still_mm;
+        options.still_mm = kRoughly * still_mm;
         report = solver.relax(state, drive, options, handles());
         sweeps += report.iterations;
         take_forces(solver);
@@ -524,18 +544,24 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state, 
         if (left > 0.0) {
             continue;
         }
-        double worst = furthest_from_goal(state.positions);
-        if (worst < kOnRay && report.converged) {
-            break;
-        }
-        // Only the target is put right from here on: the face is close to its place.
+        // Only the target is put right from here on: the face is close to its place. Rest to the
+        // last digit counts once the point is nearly on its ray.
         bool yields = false;
-        for (int fine = 0; fine < 12 && worst >= kOnRay && !yields; ++fine) {
-            correct_targets(state.positions);
+        for (int fine = 0;
+             fine < kMostCorrections && !yields && report.finite && sweeps < kMostSettleSweeps;
+             ++fine) {
+            const double worst = furthest_from_goal(state.positions);
+            const bool exact = options.still_mm == still_mm;
+            if (worst < kOnRay && report.converged && exact) {
+                break;
+            }
+            if (worst >= kOnRay) {
+                correct_targets(state.positions);
+            }
+            options.still_mm = worst < kNearRay ? still_mm : kRoughly * still_mm;
             report = solver.relax(state, drive, options, handles());
             sweeps += report.iterations;
             take_forces(solver);
-            worst = furthest_from_goal(state.positions);
             yields = yield_to_force(false);
         }
         if (!yields) {

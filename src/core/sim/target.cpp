@@ -164,7 +164,7 @@ private:
 
     double value_at(double distance, bool rough, TargetReport& report) {
         simulator_.move_drag(ray_at(distance));
-        step_ = rough ? simulator_.settle(kRough, false) : simulator_.settle();
+        step_ = simulator_.settle(rough ? kRough : RelaxOptions{}.still_mm, false);
         ++report.settles;
         report.force_mN = step_.drag->force_mN;
         at_ = distance;
