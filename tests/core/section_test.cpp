@@ -156,6 +156,17 @@ TEST(Measures, OfKnownShapesAreExact) {
     EXPECT_NEAR(*measured(distance, marks), std::sqrt(149.0), 1e-9);
 }
 
+TEST(LightVisibility, LightsASmallSunkPartAsWhatIsBesideIt) {
+    TriangleMesh crumb = test::sphere(1.5);
+    crumb.vertices.colwise() += Vec3(0.0, 0.0, 19.2);  // most of it within the ball
+    const TriangleMesh ball = test::sphere(20.0, 40, 60);
+    const Eigen::Matrix4Xf open = light_visibility(test::together(ball, crumb));
+    const float around = light_visibility(ball).row(3).mean();
+    for (int v = ball.vertex_count(); v < static_cast<int>(open.cols()); ++v) {
+        EXPECT_GT(open(3, v), 0.6F * around);
+    }
+}
+
 TEST(LightVisibility, IsFullOnABallAndMissingUnderneath) {
     const Eigen::Matrix4Xf open = light_visibility(test::sphere(40.0, 24, 36));
     EXPECT_LT((open.colwise() - Eigen::Vector4f(0, 0, 0, 1)).cwiseAbs().maxCoeff(), 0.05F);

@@ -24,6 +24,9 @@ constexpr double kShadeReach = 140.0;  // what is further away throws no shadow 
 constexpr int kFinest = 12000;         // vertices; finer meshes are taken on a coarser one
 constexpr float kShadeSpacing = 2.4F;  // [mm] of that one
 constexpr int kPasses = 2;             // of smoothing, against the noise of few rays
+constexpr double kSmallPart = 8.0;     // [mm] across: a caruncle, no tooth
+constexpr int kMostSmallParts = 32;
+constexpr double kBeside = 2.0;  // [mm]
 
 /// Directions over the plane z = 0, a spiral that fills the half sphere evenly.
 Points directions() {
@@ -92,6 +95,44 @@ Eigen::Matrix4Xd everywhere(const TriangleMesh& mesh, const Progress* progress) 
     return result;
 }
 
+/// A small part that hangs together with nothing lies half sunk in what is around it, where the few
+/// rays find hardly a way out: it is lit as the openest place beside it is.
+void light_small_parts(const TriangleMesh& mesh, Eigen::Matrix4Xf& of_vertices) {
+    const Components parts = connected_components(mesh);
+    std::vector<Eigen::AlignedBox3d> boxes(static_cast<std::size_t>(parts.count));
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        boxes[static_cast<std::size_t>(parts.of_vertex[static_cast<std::size_t>(v)])].extend(
+            Vec3(mesh.vertices.col(v)));
+    }
+    const auto small = [](const Eigen::AlignedBox3d& box) {
+        return box.diagonal().norm() < kSmallPart;
+    };
+    if (std::count_if(boxes.begin(), boxes.end(), small) > kMostSmallParts) {
+        return;  // crumbs of a scanner
+    }
+    const Eigen::Matrix4Xf known = of_vertices;
+    for (int part = 0; part < parts.count; ++part) {
+        Eigen::AlignedBox3d near = boxes[static_cast<std::size_t>(part)];
+        if (!small(near)) {
+            continue;
+        }
+        near.min().array() -= kBeside;
+        near.max().array() += kBeside;
+        int openest = -1;
+        for (int v = 0; v < mesh.vertex_count(); ++v) {
+            if (near.contains(Vec3(mesh.vertices.col(v))) &&
+                (openest < 0 || known(3, v) > known(3, openest))) {
+                openest = v;
+            }
+        }
+        for (int v = 0; v < mesh.vertex_count(); ++v) {
+            if (parts.of_vertex[static_cast<std::size_t>(v)] == part) {
+                of_vertices.col(v) = known.col(openest);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 Eigen::Matrix4Xf light_visibility(const TriangleMesh& mesh, const Progress* progress) {
@@ -117,6 +158,7 @@ Eigen::Matrix4Xf light_visibility(const TriangleMesh& mesh, const Progress* prog
             }
         }
     }
+    light_small_parts(welded.mesh, found);
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         if (welded.of_vertex[static_cast<std::size_t>(v)] >= 0) {
             result.col(v) = found.col(welded.of_vertex[static_cast<std::size_t>(v)]);
