@@ -128,8 +128,8 @@ private:
     double furthest_from_goal(const Points& positions) const;
     double strain_share(const Points& positions) const;
     RelaxReport pull(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
-                     int iterations);
-    RelaxReport bisect_share(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
+                     int iterations, double still_mm);
+    RelaxReport search_share(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
                              double& share, double most, double limit);
     void enter_second_stage(EquilibriumSolver& solver, MassSpringState& state);
 

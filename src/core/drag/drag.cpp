@@ -14,7 +14,7 @@ namespace {
 constexpr double kLongestJump = 3.0;       // of the kernel in one update [mm]
 constexpr double kMostHold = 100'000.0;    // in mouse priority [mN]: no skin is pulled into bone
 constexpr double kSecondStageLimit = 1.3;  // strain allowed in stage 2, of the region's limit
-constexpr int kBisections = 7;
+constexpr int kMostSearches = 8;
 constexpr int kSettleSweeps = 6000;
 constexpr int kMostSettleSweeps = 10 * kSettleSweeps;
 constexpr double kRefusedAtOnce = 0.25;
@@ -239,9 +239,10 @@ Drive SkinDrag::with_first_stage(const Drive& drive) const {
 }
 
 RelaxReport SkinDrag::pull(EquilibriumSolver& solver, MassSpringState& state, const Drive& drive,
-                           int iterations) {
+                           int iterations, double still_mm) {
     RelaxOptions options;
     options.iterations = iterations;
+    options.still_mm = still_mm;
     const std::vector<HandPull> hands = pulls();
     if (second_stage_) {
         solver.drive_changed();  // it carries the first stage's load
@@ -283,7 +284,7 @@ RelaxReport SkinDrag::update(EquilibriumSolver& solver, MassSpringState& state, 
         report.converged = report.converged && off < kOnRay && !yields;
         return report;
     }
-    RelaxReport report = pull(solver, state, drive, iterations);
+    RelaxReport report = pull(solver, state, drive, iterations, RelaxOptions{}.still_mm);
     // Between frames the shares follow the strain instead of being searched for.
     double& share = second_stage_ ? layer_share_ : skin_share_;
     const double most = second_stage_ ? 1.0 - skin_share_ : 1.0;
@@ -310,25 +311,50 @@ RelaxReport SkinDrag::update(EquilibriumSolver& solver, MassSpringState& state, 
     return report;
 }
 
-RelaxReport SkinDrag::bisect_share(EquilibriumSolver& solver, MassSpringState& state,
+/// The largest share of a force at which the skin keeps its limit, or a hundredth less: strain
+/// grows almost evenly with the share, so the search goes to where a line through its ends meets
+/// the limit, and halves an end that stays (the Illinois rule). @cite dowell_jarratt_1971
+RelaxReport SkinDrag::search_share(EquilibriumSolver& solver, MassSpringState& state,
                                    const Drive& drive, double& share, double most, double limit) {
-    share = most;
-    RelaxReport report = pull(solver, state, drive, kSettleSweeps);
-    int sweeps = report.iterations;
-    if (strain_share(state.positions) > limit) {
-        double low = 0.0;
-        double high = most;
-        for (int k = 0; k < kBisections; ++k) {
-            share = 0.5 * (low + high);
-            report = pull(solver, state, drive, kSettleSweeps);
-            sweeps += report.iterations;
-            (strain_share(state.positions) > limit ? high : low) = share;
+    constexpr double kBelow = 0.01;       // of the limit
+    constexpr double kNarrowest = 0.004;  // of the whole force
+    constexpr double kRough = kRoughly * RelaxOptions{}.still_mm;
+    int sweeps = 0;
+    const auto excess = [&](double at) {
+        share = at;
+        sweeps += pull(solver, state, drive, kSettleSweeps, kRough).iterations;
+        return strain_share(state.positions) / limit - 1.0;
+    };
+    double low = 0.0;
+    double below = strain_share(state.positions) / limit - 1.0;
+    double high = most;
+    double above = excess(most);
+    if (below >= 0.0) {
+        share = 0.0;  // at its limit without a hand
+    } else if (above > 0.0) {
+        int stayed = 0;         // which end did in the last round: -1 the lower, 1 the higher
+        double reached = below;  // at the lower end, as it is
+        for (int k = 0; k < kMostSearches && reached < -kBelow && high - low > kNarrowest; ++k) {
+            const double aim = (below + 0.5 * kBelow) / (below - above);
+            const double width = high - low;
+            const double at = low + std::clamp(aim, 0.05, 0.95) * width;
+            const double found = excess(at);
+            if (found > 0.0) {
+                high = at;
+                above = found;
+                below *= stayed < 0 ? 0.5 : 1.0;
+                stayed = -1;
+            } else {
+                low = at;
+                below = reached = found;
+                above *= stayed > 0 ? 0.5 : 1.0;
+                stayed = 1;
+            }
         }
         share = low;
-        report = pull(solver, state, drive, kSettleSweeps);
-        sweeps += report.iterations;
     }
-    report.iterations = sweeps;
+    RelaxReport report = pull(solver, state, drive, kSettleSweeps, RelaxOptions{}.still_mm);
+    report.iterations += sweeps;
     return report;
 }
 
@@ -339,11 +365,11 @@ RelaxReport SkinDrag::settle(EquilibriumSolver& solver, MassSpringState& state, 
         back_to_grip(solver, state);
     }
     if (judging) {
-        RelaxReport report = bisect_share(solver, state, drive, skin_share_, 1.0, 1.0);
+        RelaxReport report = search_share(solver, state, drive, skin_share_, 1.0, 1.0);
         if (skin_share_ < 0.999) {
             const int sweeps = report.iterations;
             enter_second_stage(solver, state);
-            report = bisect_share(solver, state, drive, layer_share_, 1.0 - skin_share_,
+            report = search_share(solver, state, drive, layer_share_, 1.0 - skin_share_,
                                   kSecondStageLimit);
             report.iterations += sweeps;
         }

@@ -24,10 +24,12 @@ double across(double side, double first, double second, double at_first, double 
     const double source_x =
         (at_first * at_first - at_second * at_second + side * side) / (2.0 * side);
     const double square = at_first * at_first - source_x * source_x;
-    if (square < 0.0 || !(y > 0.0)) {
+    // A source on the side itself has a square of nothing, give or take what rounding leaves.
+    constexpr double kRounding = 1e-6;
+    if (square < -kRounding * side * side || !(y > 0.0)) {
         return kUnreached;
     }
-    const double source_y = std::sqrt(square);
+    const double source_y = std::sqrt(std::max(0.0, square));
     const double through = source_x + (x - source_x) * source_y / (y + source_y);
     return through >= 0.0 && through <= side ? std::hypot(x - source_x, y + source_y) : kUnreached;
 }
