@@ -332,7 +332,7 @@ RelaxReport SkinDrag::search_share(EquilibriumSolver& solver, MassSpringState& s
     if (below >= 0.0) {
         share = 0.0;  // at its limit without a hand
     } else if (above > 0.0) {
-        int stayed = 0;         // which end did in the last round: -1 the lower, 1 the higher
+        int stayed = 0;          // which end did in the last round: -1 the lower, 1 the higher
         double reached = below;  // at the lower end, as it is
         for (int k = 0; k < kMostSearches && reached < -kBelow && high - low > kNarrowest; ++k) {
             const double aim = (below + 0.5 * kBelow) / (below - above);
