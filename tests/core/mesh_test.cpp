@@ -90,6 +90,26 @@ TEST(CrossSection, OfASphereIsACircle) {
     EXPECT_TRUE(cross_section(ball, Vec3(0.0, 11.0, 0.0), Vec3::UnitY()).empty());
 }
 
+TEST(GeodesicDistances, ComeThroughTheEdgeTheirSourceLiesOn) {
+    // Rounding puts the source to either side of the edge: what it reaches must not jump.
+    TriangleMesh mesh;
+    mesh.triangles.resize(3, 2);
+    mesh.triangles << 0, 1, 1, 0, 2, 3;
+    for (int k = 1; k < 200; ++k) {
+        const Vec3 axis = Vec3(1.0, 0.3 * k, 2.0 - 0.1 * k).normalized();
+        mesh.vertices.resize(3, 4);
+        mesh.vertices << 0.0, 3.0, 1.2, 1.9, 0.0, 0.0, 2.1, -1.7, 0.0, 0.0, 0.0, 0.0;
+        mesh.vertices = Eigen::AngleAxisd(0.1 * k, axis).toRotationMatrix() * mesh.vertices;
+        const double share = 0.2 + 0.003 * k;
+        const Vec3 at = (1.0 - share) * mesh.vertices.col(0) + share * mesh.vertices.col(1);
+        const GeodesicSource sources[] = {{0, (mesh.vertices.col(0) - at).norm()},
+                                          {1, (mesh.vertices.col(1) - at).norm()}};
+        const auto distance = geodesic_distances(mesh, Adjacency(mesh), sources, 10.0);
+        EXPECT_NEAR(distance[2], (mesh.vertices.col(2) - at).norm(), 1e-6);
+        EXPECT_NEAR(distance[3], (mesh.vertices.col(3) - at).norm(), 1e-6);
+    }
+}
+
 TEST(GeodesicDistances, AreExactAlongAStraightLineOfEdges) {
     const TriangleMesh mesh = grid(11, 2.0);
     const std::vector<GeodesicSource> from{{0, 0.0}};
