@@ -15,6 +15,15 @@
 
 #include "gltf_scene.h"
 
+// GCC says by a macro that it sanitizes, Clang by a feature.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define MYOFACE_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define MYOFACE_SANITIZED
+#endif
+#endif
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,7 +47,7 @@ void limit_to(const fs::path& file) {
     }
     constexpr std::uintmax_t kBase = 700'000'000;
     constexpr std::uintmax_t kMost = 12'000'000'000;
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they map terabytes
+#if !defined(MYOFACE_SANITIZED)  // a sanitizer maps terabytes
     limit(RLIMIT_AS, static_cast<rlim_t>(std::min(kBase + 60 * bytes, kMost)));
 #else
     static_cast<void>(std::min(kBase + bytes, kMost));
