@@ -74,15 +74,16 @@ TEST(Deflate, EndsWhenItIsNotWantedAnyMore) {
 
 TEST(Archive, GivesBackWhatWasPutIn) {
     const std::string large = half_random(2'500'000);
+    const std::string small = "more letters than chance writes into a cipher";
     for (const std::string passphrase : {"", "open sesame"}) {
         const std::string bytes =
-            zip_bytes({{"large", large}, {"small", "few"}, {"empty", ""}}, passphrase, "x.myoface");
+            zip_bytes({{"large", large}, {"small", small}, {"empty", ""}}, passphrase, "x.myoface");
         const ZipReader reader(ZipReader::Memory{bytes}, "x.myoface", passphrase);
         EXPECT_EQ(reader.part("large", true), large);
-        EXPECT_EQ(reader.part("small", true), "few");
+        EXPECT_EQ(reader.part("small", true), small);
         EXPECT_EQ(reader.part("empty", true), "");
         EXPECT_EQ(reader.encrypted("large"), !passphrase.empty());
-        EXPECT_EQ(bytes.find("few") == std::string::npos || passphrase.empty(), true);
+        EXPECT_TRUE(passphrase.empty() || bytes.find(small.substr(0, 12)) == std::string::npos);
     }
 }
 

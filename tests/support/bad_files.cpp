@@ -337,6 +337,11 @@ void add_cases(std::vector<BadFile>& files) {
     const std::size_t directory = lies.find("PK\x01\x02");
     lies[directory + 24] = static_cast<char>(lies[directory + 24] + 1);
     add("lying-size", lies, "damaged");
+    std::string boasts = whole;  // and here 1.6 GB, packed and unpacked
+    for (const std::size_t size : {directory + 20, directory + 24}) {
+        boasts.replace(size, 4, std::string("\0\0\0\x60", 4));
+    }
+    add("boasting-size", boasts, "damaged");
     std::string sum = whole;
     sum[directory + 16] = static_cast<char>(sum[directory + 16] ^ 1);
     add("wrong-sum", sum, "damaged");

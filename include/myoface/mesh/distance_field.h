@@ -15,8 +15,8 @@ namespace myoface {
 /// lattice. Its gradient is the gradient of what it says and has no jumps: where a slope jumps,
 /// skin that is pressed against bone finds no rest. A surface of radius R seems h²/4R further out
 /// for it (h: cell). Blocks of the lattice are filled when somebody first asks there; what they
-/// hold does not depend on when or by whom, and any number of threads may ask. @cite
-/// ericson_collision
+/// hold does not depend on when or by whom, and any number of threads may ask.
+/// @cite ericson_collision
 class DistanceField {
 public:
     /// @param surface closed, faces outwards [mm]

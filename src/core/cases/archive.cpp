@@ -17,6 +17,7 @@ namespace {
 constexpr zip_uint64_t kLargestPart = 2'000'000'000;
 constexpr zip_uint64_t kSmallPart = 16'000'000;
 constexpr zip_uint64_t kMostShrinking = 200;
+constexpr std::size_t kTaken = 16'000'000;  // at a time, however much is announced
 
 }  // namespace
 
@@ -27,12 +28,14 @@ void CloseZip::operator()(zip* handle) const {
 ZipReader::ZipReader(const std::filesystem::path& file, std::string name, std::string passphrase)
     : name_(std::move(name)), passphrase_(std::move(passphrase)) {
     int code = 0;
+    std::error_code none;
+    size_ = std::filesystem::file_size(file, none);
     handle_.reset(zip_open(file.c_str(), ZIP_RDONLY, &code));
     take_passphrase();
 }
 
 ZipReader::ZipReader(Memory memory, std::string name, std::string passphrase)
-    : name_(std::move(name)), passphrase_(std::move(passphrase)) {
+    : name_(std::move(name)), passphrase_(std::move(passphrase)), size_(memory.bytes.size()) {
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* source =
@@ -77,7 +80,11 @@ std::string ZipReader::part(const std::string& part, bool needed) const {
         return {};
     }
     // A small archive must not unpack to more than a scan can be; no scan shrinks so far.
-    const bool bomb = stat.size > kSmallPart && stat.size / kMostShrinking > stat.comp_size;
+    const zip_uint64_t packed = (stat.valid & ZIP_STAT_COMP_SIZE) != 0 ? stat.comp_size : 0;
+    if (packed > size_) {
+        throw IoError(name_ + ": " + part + " cannot be unpacked, the case is damaged.");
+    }
+    const bool bomb = stat.size > kSmallPart && stat.size / kMostShrinking > packed;
     if (stat.size > kLargestPart || bomb) {
         throw IoError(name_ + ": " + part + " is larger than a case can hold.");
     }
@@ -93,8 +100,15 @@ std::string ZipReader::part(const std::string& part, bool needed) const {
         }
         throw IoError(name_ + ": " + part + " cannot be unpacked, the case is damaged.");
     }
-    std::string bytes(stat.size, '\0');
-    bool good = zip_fread(file, bytes.data(), stat.size) == static_cast<zip_int64_t>(stat.size);
+    // Sizes are as good as who wrote them: no more memory than bytes have come.
+    std::string bytes;
+    bool good = true;
+    while (good && bytes.size() < stat.size) {
+        const std::size_t at = bytes.size();
+        const std::size_t step = std::min<std::size_t>(kTaken, stat.size - at);
+        bytes.resize(at + step);
+        good = zip_fread(file, bytes.data() + at, step) == static_cast<zip_int64_t>(step);
+    }
     char more = 0;
     good = good && zip_fread(file, &more, 1) == 0;  // at the end, sums are checked
     zip_fclose(file);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -39,6 +40,7 @@ private:
     void take_passphrase();
 
     std::string name_, passphrase_;
+    std::uintmax_t size_ = 0;  ///< of the whole [bytes]
     std::unique_ptr<zip, CloseZip> handle_;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kFarthest = 14.0;       // [mm] the warp may miss the scan by in the face …
 constexpr double kFarthestCrown = 40.0;  // … and over the skull, where there are no landmarks
-constexpr int kRounds = 60;              // of smoothing
+constexpr int kSmoothingRounds = 60;     // of smoothing
 constexpr double kHold = 0.25;           // on a vertex' own shift while smoothing
 
 /// Shift of each skull vertex that its skin makes on the scan; weight 0 where there is no scan.
@@ -66,7 +66,7 @@ Points smoothed(const Shifts& shifts, const Adjacency& adjacency) {
     for (Eigen::Index v = 0; v < now.cols(); ++v) {
         now.col(v) *= shifts.weight[static_cast<std::size_t>(v)];
     }
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kSmoothingRounds; ++round) {
         const Points before = now;
         parallel_for(static_cast<int>(now.cols()), 512, [&](int begin, int end) {
             for (int v = begin; v < end; ++v) {

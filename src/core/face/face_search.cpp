@@ -28,7 +28,7 @@ constexpr double kSizeStep = 1.22;
 constexpr double kGoodEnough = 0.7;  // quality that ends the search
 constexpr double kWorthATry = 0.5;   // quality of a pose that is looked at more closely
 constexpr double kCell = 6.0;        // [mm]
-constexpr int kReach = 4;            // cells
+constexpr int kCellReach = 4;        // cells
 constexpr std::size_t kCandidates = 60;
 constexpr std::size_t kKeptPerSize = 25;
 constexpr std::size_t kRefined = 20;
@@ -53,7 +53,7 @@ struct SizedSamples {
         : scale(mm_per_unit),
           points(mm_per_unit * samples.points),
           normals(samples.normals),
-          table(points, kCell, kReach) {}
+          table(points, kCell, kCellReach) {}
 };
 
 double reach_bump(double d2, double reach) {

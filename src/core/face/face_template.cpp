@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kNodes = 1200;
 constexpr double kSpacing = 3.0;  // [mm] of the points to choose from
-constexpr double kHalfWidth = 66.0;
+constexpr double kTemplateHalfWidth = 66.0;
 constexpr double kForehead = 50.0;  // above the inner canthi
 constexpr double kDepth = 45.0;     // behind the outer canthi
 
@@ -63,7 +63,7 @@ FaceTemplate build() {
     const double back = landmarks.at("ex_l").position.z() - kDepth;
     std::vector<Vec3> all;
     for (double y = bottom; y <= top; y += kSpacing) {
-        for (double x = 0.5 * kSpacing; x <= kHalfWidth; x += kSpacing) {
+        for (double x = 0.5 * kSpacing; x <= kTemplateHalfWidth; x += kSpacing) {
             const Vec3 p = head.front_point(x, y);
             if (p.z() > back && std::abs(head(p)) < 0.5) {
                 all.push_back(p);

@@ -13,8 +13,8 @@
 namespace myoface {
 namespace {
 
-constexpr double kTooFar = 15.0;       // [mm] where the result has no skin opposite
-constexpr double kMostResidual = 2.0;  // [mm] that registration may leave
+constexpr double kNoneOpposite = 15.0;  // [mm] where the result has no skin opposite
+constexpr double kMostResidual = 2.0;   // [mm] that registration may leave
 constexpr int kMatchRounds = 40;
 constexpr int kComparisonGrain = 256;
 
@@ -147,7 +147,7 @@ ResultComparison compare_with_result(const FaceModel& face, const Points& plan,
             const Vec3 place = back * skin.col(i);
             const ClosestPoint closest = bvh.closest_point(result, place);
             const Vec3 way = comparison.to_face.linear() * (closest.point - place);
-            comparison.distance[i] = way.norm() < kTooFar
+            comparison.distance[i] = way.norm() < kNoneOpposite
                                          ? std::copysign(way.norm(), way.dot(normals.col(i)))
                                          : std::numeric_limits<double>::quiet_NaN();
         }
