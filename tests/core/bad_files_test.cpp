@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "myoface/base/error.h"
 #include "myoface/cases/journal.h"
 #include "myoface/io/text_file.h"
 
@@ -46,6 +47,18 @@ TEST(BadFiles, AreManyAndDifferent) {
         different.emplace(file.kind, file.bytes);
     }
     EXPECT_EQ(different.size(), files.size());
+}
+
+TEST(BadFiles, AreSpokenOfOnOneLine) {
+    EXPECT_STREQ(IoError("a\nb\t\x7F.").what(), "a?b??.");
+    EXPECT_STREQ(InvalidInput("顔").what(), "顔");
+    std::string name;
+    while (name.size() < 5000) {
+        name += "顔";  // three bytes each
+    }
+    const std::string cut = InvalidInput(name).what();
+    EXPECT_LT(cut.size(), 2010U);
+    EXPECT_EQ(cut, name.substr(0, 1998) + "…");
 }
 
 TEST(BadFiles, AreRefusedEachWithItsSentence) {

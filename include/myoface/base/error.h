@@ -7,10 +7,11 @@
 namespace myoface {
 
 /// Base of every exception that leaves the core. `what()` is one sentence for a person: which file,
-/// line or element, what is wrong, what to do.
+/// line or element, what is wrong, what to do. It stands on one line whatever it quotes: control
+/// characters become '?', and what goes on for more than 2,000 bytes is cut.
 class Error : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit Error(const std::string& sentence);
 };
 
 /// A file cannot be read or written: missing, truncated, malformed, not of the expected kind.
