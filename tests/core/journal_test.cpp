@@ -15,6 +15,7 @@
 #include "myoface/io/text_file.h"
 
 #include "test_meshes.h"
+#include "thorough.h"
 
 namespace myoface {
 namespace {
@@ -57,13 +58,28 @@ void expect_state(const CaseState& state, int gestures, Eigen::Index vertices) {
     EXPECT_EQ(state.variants[0].shape, expected.shape);
 }
 
+/// What a program that was killed while it saved again and again left: nothing, or a whole case.
+void expect_whole_case(const std::string& path, int gestures, Eigen::Index vertices) {
+    if (!std::filesystem::exists(path)) {
+        EXPECT_LE(gestures, 3);  // killed before the first was whole
+        return;
+    }
+    const OpenedFace saved = read_case(path);
+    ASSERT_EQ(saved.state.notes.rfind("gesture ", 0), 0U);
+    const int then = std::stoi(saved.state.notes.substr(8));
+    EXPECT_LE(then, gestures);
+    EXPECT_GE(then, gestures - 3);
+    expect_state(saved.state, then, vertices);
+}
+
 TEST(Journal, GivesBackTheLastFinishedGestureAfterAKill) {
     const test::TemporaryFolder folder;
     const OpenedFace face = small_scan(folder / "");
     const Eigen::Index vertices = face.scan->mesh.vertices.cols();
     std::mt19937 random(7);
-    constexpr int kKills = 60;
-    for (int trial = 0; trial < kKills; ++trial) {
+    const int kills = test::thorough() ? 500 : 60;
+    for (int trial = 0; trial < kills; ++trial) {
+        const std::string saved = (folder / ("s" + std::to_string(trial) + ".myoface")).string();
         const std::filesystem::path journals = folder / ("j" + std::to_string(trial));
         int pipe_ends[2];
         ASSERT_EQ(::pipe(pipe_ends), 0);
@@ -75,6 +91,9 @@ TEST(Journal, GivesBackTheLastFinishedGestureAfterAKill) {
                 journal.record(state_after(k, vertices), {}, {});
                 if (::write(pipe_ends[1], &k, sizeof k) != sizeof k) {
                     ::_exit(1);
+                }
+                if (k % 2 == 1) {
+                    write_case(saved, face, state_after(k, vertices));
                 }
             }
         }
@@ -97,6 +116,7 @@ TEST(Journal, GivesBackTheLastFinishedGestureAfterAKill) {
         const OpenedFace back = recover(found[0]);
         EXPECT_EQ(back.scan_bytes, face.scan_bytes);
         expect_state(back.state, found[0].gestures, vertices);
+        expect_whole_case(saved, found[0].gestures, vertices);
         discard(found[0]);
         EXPECT_TRUE(recoverable(journals).empty());
     }

@@ -15,7 +15,7 @@ namespace myoface {
 namespace {
 
 constexpr zip_uint64_t kLargestPart = 2'000'000'000;
-constexpr zip_uint64_t kSmallPart = 16'000'000;
+constexpr zip_uint64_t kUncheckedPart = 16'000'000;
 constexpr zip_uint64_t kMostShrinking = 200;
 constexpr std::size_t kTaken = 16'000'000;  // at a time, however much is announced
 
@@ -84,7 +84,7 @@ std::string ZipReader::part(const std::string& part, bool needed) const {
     if (packed > size_) {
         throw IoError(name_ + ": " + part + " cannot be unpacked, the case is damaged.");
     }
-    const bool bomb = stat.size > kSmallPart && stat.size / kMostShrinking > packed;
+    const bool bomb = stat.size > kUncheckedPart && stat.size / kMostShrinking > packed;
     if (stat.size > kLargestPart || bomb) {
         throw IoError(name_ + ": " + part + " is larger than a case can hold.");
     }

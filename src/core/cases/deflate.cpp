@@ -14,12 +14,13 @@ namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 20;
 constexpr int kRawWindow = -15;  // 32 KiB, without a header of its own
-constexpr int kMemory = 8;
+constexpr int kDeflateMemory = 8;
 
 /// One piece; all but the last end on a whole byte, so that the next can follow.
 Deflated piece_of(std::string_view bytes, int level, bool last) {
     z_stream stream{};
-    if (deflateInit2(&stream, level, Z_DEFLATED, kRawWindow, kMemory, Z_DEFAULT_STRATEGY) != Z_OK) {
+    if (deflateInit2(&stream, level, Z_DEFLATED, kRawWindow, kDeflateMemory, Z_DEFAULT_STRATEGY) !=
+        Z_OK) {
         throw std::bad_alloc();
     }
     Deflated piece;

@@ -17,7 +17,7 @@
 namespace myoface {
 namespace {
 
-constexpr double kFarthest = 14.0;       // [mm] the warp may miss the scan by in the face …
+constexpr double kFarthestMiss = 14.0;   // [mm] the warp may miss the scan by in the face …
 constexpr double kFarthestCrown = 40.0;  // … and over the skull, where there are no landmarks
 constexpr int kSmoothingRounds = 60;     // of smoothing
 constexpr double kHold = 0.25;           // on a vertex' own shift while smoothing
@@ -37,7 +37,7 @@ Shifts follow_skin(const FaceModel& face, const Skull& skull, const Points& skin
         for (int v = begin; v < end; ++v) {
             const ClosestPoint hit = bvh.closest_point(surface, skin.col(v));
             const double crown = std::clamp((skull.mesh.vertices(1, v) - 50.0) / 40.0, 0.0, 1.0);
-            const double farthest = kFarthest + crown * (kFarthestCrown - kFarthest);
+            const double farthest = kFarthestMiss + crown * (kFarthestCrown - kFarthestMiss);
             if (hit.distance < farthest) {
                 shifts.shift.col(v) = hit.point - Vec3(skin.col(v));
                 const double r = hit.distance / farthest;

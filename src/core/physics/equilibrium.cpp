@@ -12,12 +12,13 @@ namespace myoface {
 namespace {
 
 constexpr int kSmoothingSteps = 6;
-constexpr int kMostSteps = 30;        // of a round; when that does not do, steps alone go on
-constexpr int kCoarseSteps = 40;      // on the coarsest
-constexpr double kLongestStep = 3.0;  // [mm] at once: further on the finer level is another one
-constexpr double kFarStill = 25.0;    // of a step at rest: a correction that says as much
-constexpr double kMixNear = 0.5;      // [mm] a correction from which on rounds are accelerated
-constexpr double kRise = 1e-5;        // of the energy: rounding
+constexpr int kMostSteps = 30;    // of a round; when that does not do, steps alone go on
+constexpr int kCoarseSteps = 40;  // on the coarsest
+constexpr double kLongestCorrection =
+    3.0;                            // [mm] at once: further on the finer level is another one
+constexpr double kFarStill = 25.0;  // of a step at rest: a correction that says as much
+constexpr double kMixNear = 0.5;    // [mm] a correction from which on rounds are accelerated
+constexpr double kRise = 1e-5;      // of the energy: rounding
 
 RowHandle on_rows(const Handle& handle, const PackedModel::Data& packed) {
     RowHandle rows;
@@ -303,7 +304,7 @@ double EquilibriumSolver::Level::correct_far(const Relaxation::Hands& hands, con
     const double left = dot(forces, way);
     const double share = left < ahead ? std::clamp(ahead / (ahead - left), 0.0, 2.0) : 1.0;
     const double most = longest(way, relaxation.packed().nodes);
-    const double taken = std::min(share, kLongestStep / std::max(most, 1e-12));
+    const double taken = std::min(share, kLongestCorrection / std::max(most, 1e-12));
     move(records, way, taken, records);
     return taken * most;
 }

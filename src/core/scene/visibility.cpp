@@ -26,7 +26,7 @@ constexpr float kShadeSpacing = 2.4F;  // [mm] of that one
 constexpr int kPasses = 2;             // of smoothing, against the noise of few rays
 constexpr double kSmallPart = 8.0;     // [mm] across: a caruncle, no tooth
 constexpr int kMostSmallParts = 32;
-constexpr double kBeside = 2.0;  // [mm]
+constexpr double kBesidePart = 2.0;  // [mm]
 
 /// Directions over the plane z = 0, a spiral that fills the half sphere evenly.
 Points directions() {
@@ -116,8 +116,8 @@ void light_small_parts(const TriangleMesh& mesh, Eigen::Matrix4Xf& of_vertices) 
         if (!small(near)) {
             continue;
         }
-        near.min().array() -= kBeside;
-        near.max().array() += kBeside;
+        near.min().array() -= kBesidePart;
+        near.max().array() += kBesidePart;
         int openest = -1;
         for (int v = 0; v < mesh.vertex_count(); ++v) {
             if (near.contains(Vec3(mesh.vertices.col(v))) &&

@@ -30,16 +30,16 @@ std::string hex(std::uint64_t value) {
 }
 
 ordered_json place_to_json(const PlanPlace& place) {
-    ordered_json json;
-    json["triangle"] = place.where.triangle;
-    json["weights"] = list_of(place.where.weights);
-    json["xyz"] = list_of(place.xyz);
-    json["head"] = list_of(place.head);
+    ordered_json written;
+    written["triangle"] = place.where.triangle;
+    written["weights"] = list_of(place.where.weights);
+    written["xyz"] = list_of(place.xyz);
+    written["head"] = list_of(place.head);
     if (!place.near.empty()) {
-        json["near"] = place.near;
-        json["off"] = list_of(place.off);
+        written["near"] = place.near;
+        written["off"] = list_of(place.off);
     }
-    return json;
+    return written;
 }
 
 ordered_json shape_to_json(const ShapeEdit& shape) {
@@ -259,11 +259,11 @@ struct EditWriter {
 private:
     static ordered_json placed(const char* key, const std::string& text,
                                const std::optional<PlanPlace>& place) {
-        ordered_json json{{key, text}};
+        ordered_json edit{{key, text}};
         if (place) {
-            json["place"] = place_to_json(*place);
+            edit["place"] = place_to_json(*place);
         }
-        return json;
+        return edit;
     }
 };
 

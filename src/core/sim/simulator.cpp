@@ -16,7 +16,7 @@ namespace myoface {
 namespace {
 
 constexpr double kStillOnScreen = 2e-5;  // a step below this is seen as rest [mm]
-constexpr int kMostSweeps = 12000;
+constexpr int kMostSettleSteps = 12000;
 constexpr int kMostTimeSteps = 400000;
 constexpr double kCloseEnough = 0.02;   // [mm]
 constexpr int kLiveSteps = 2;           // of a frame in time
@@ -356,7 +356,7 @@ StepReport Simulator::settle(double still_mm, bool anew) {
             report.drag = drag_->report(state_, drive_, true);
         } else {
             RelaxOptions options;
-            options.iterations = kMostSweeps;
+            options.iterations = kMostSettleSteps;
             options.still_mm = still_mm;
             relaxed = solver_->relax(state_, drive_, options);
         }
