@@ -5,7 +5,7 @@
 set -euo pipefail
 
 packages=(
-  build-essential cmake ninja-build pkg-config
+  build-essential cmake ninja-build pkg-config file
   qtbase5-dev libqt5svg5-dev
   libeigen3-dev libglfw3-dev libepoxy-dev libegl-dev
   nlohmann-json3-dev libcli11-dev libpng-dev libjpeg-dev libzip-dev zlib1g-dev libassimp-dev libnanoflann-dev

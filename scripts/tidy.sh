@@ -17,7 +17,8 @@ if [ ${#files[@]} -eq 0 ]; then
   exit 0
 fi
 # Clang has no say in the kernels of other instructions and need not know how the folders are configured.
-read -ra libraries < <(pkg-config --cflags eigen3 Qt5Widgets Qt5Svg Qt5OpenGL epoxy libzip | sed 's/-I/-isystem /g')
+cflags=$(pkg-config --cflags eigen3 Qt5Widgets Qt5Svg epoxy glfw3 libzip)
+read -ra libraries <<<"${cflags//-I/-isystem }"
 flags=(-std=c++20 -fPIC -mavx2 -Iinclude -Isrc/core -Isrc/render -Isrc/words -Isrc/report -Isrc/app -DQT_NO_KEYWORDS
   -DMYOFACE_SOURCE_DIR='"."' -DMYOFACE_DATA_DIR='"."' -DMYOFACE_VERSION='"0"' "${libraries[@]}")
 printf '%s\n' "${files[@]}" |

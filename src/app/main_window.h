@@ -221,6 +221,7 @@ private:
     QLabel* m_aid = nullptr;
     QLabel* m_hints = nullptr;
     QProgressBar* m_progress = nullptr;
+    QString m_work;  // what the status line says is going on
     QPushButton* m_cancel = nullptr;
     SnapshotBox m_box;
     QThread m_thread;

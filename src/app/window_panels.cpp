@@ -54,7 +54,8 @@ void MainWindow::showWork(const QString& what) {
     m_progress->setFormat(what);
     m_progress->show();
     m_cancel->show();
-    statusBar()->showMessage(what + QStringLiteral("…"), 8000);
+    m_work = what + QStringLiteral("…");
+    statusBar()->showMessage(m_work, 8000);
 }
 
 void MainWindow::showShare(int percent) {
@@ -63,6 +64,9 @@ void MainWindow::showShare(int percent) {
 }
 
 void MainWindow::hideWork() {
+    if (statusBar()->currentMessage() == m_work) {
+        statusBar()->clearMessage();
+    }
     m_progress->hide();
     m_cancel->hide();
 }
