@@ -16,8 +16,8 @@ const Eigen::Vector3f kColour(0.98F, 0.80F, 0.35F);
 constexpr std::size_t kMost = 3;
 
 /// Way along the skin between two places of it [mm].
-double along_skin(const TriangleMesh& skin, const Adjacency& adjacency, const SurfacePoint& from,
-                  const SurfacePoint& to) {
+double alongSkin(const TriangleMesh& skin, const Adjacency& adjacency, const SurfacePoint& from,
+                 const SurfacePoint& to) {
     const Vec3 start = position(skin, from);
     const Vec3 end = position(skin, to);
     if (from.triangle == to.triangle) {
@@ -92,7 +92,7 @@ void Callipers::draw(SceneData& scene, const Points& nodes) {
     m_words.clear();
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double straight = (points[i] - points[i - 1]).norm();
-        const double skin_way = along_skin(skin, *m_face->adjacency, m_places[i - 1], m_places[i]);
+        const double skin_way = alongSkin(skin, *m_face->adjacency, m_places[i - 1], m_places[i]);
         const QString text =
             std::isfinite(skin_way)
                 ? tr("%1 mm, along the skin %2 mm")

@@ -165,7 +165,7 @@ void ComparePanel::setMode(CompareMode mode) {
 }
 
 void ComparePanel::setShare(double share) {
-    m_share->setValue(static_cast<int>(100.0 * share + 0.5));
+    m_share->setValue(qRound(100.0 * share));
 }
 
 void ComparePanel::setSidesWords(const QString& words) {

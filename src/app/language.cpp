@@ -115,7 +115,7 @@ void Language::choose(const QString& wanted) {
 }
 
 QString inWords(const std::string& english) {
-    const QString word = QCoreApplication::translate(kCoreWords, english.c_str());
+    QString word = QCoreApplication::translate(kCoreWords, english.c_str());
     if (!Language::instance().japanese() || word != QString::fromStdString(english)) {
         return word;
     }

@@ -76,8 +76,7 @@ void LayerPanel::setLayers(const LayerOpacity& layers) {
         const QSignalBlocker b(m_rows[i].opacity);
         m_rows[i].shown->setChecked(values[i] > 0.0F);
         m_rows[i].opacity->setEnabled(values[i] > 0.0F);
-        m_rows[i].opacity->setValue(values[i] > 0.0F ? static_cast<int>(100.0F * values[i] + 0.5F)
-                                                     : 100);
+        m_rows[i].opacity->setValue(values[i] > 0.0F ? qRound(100.0F * values[i]) : 100);
     }
 }
 

@@ -58,7 +58,7 @@ void ScanFrameEditor::calibrate(double mm) {
     }
 }
 
-void ScanFrameEditor::reopen(std::optional<double> mmPerUnit, std::optional<Mat3> axes) {
+void ScanFrameEditor::reopen(std::optional<double> mmPerUnit, const std::optional<Mat3>& axes) {
     if (!m_face) {
         return;
     }

@@ -37,7 +37,7 @@ Q_SIGNALS:
     void reopenWanted(const myoface::OpenOptions& options);
 
 private:
-    void reopen(std::optional<double> mmPerUnit, std::optional<Mat3> axes);
+    void reopen(std::optional<double> mmPerUnit, const std::optional<Mat3>& axes);
 
     std::shared_ptr<const OpenedFace> m_face;
     bool m_calibrating = false;

@@ -62,7 +62,7 @@ Sentences::Sentences(const QString& code, const Catalogue& catalogue) : m_catalo
 }
 
 QString Sentences::known(const QString& english, int depth) const {
-    const QString word = m_catalogue.find(QString::fromLatin1(kCoreWords), english);
+    QString word = m_catalogue.find(QString::fromLatin1(kCoreWords), english);
     if (!word.isEmpty() || depth > kDeepest) {
         return word;
     }
@@ -91,7 +91,7 @@ QString Sentences::known(const QString& english, int depth) const {
 }
 
 QString Sentences::find(const QString& english) const {
-    const QString whole = known(english, 0);
+    QString whole = known(english, 0);
     if (!whole.isEmpty()) {
         return whole;
     }
