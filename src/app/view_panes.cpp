@@ -20,12 +20,12 @@ std::vector<ViewPane> viewPanes(ViewLayout layout, bool sideBySide, const QSizeF
     const bool four = layout == ViewLayout::Four;
     const int columns = four || (layout == ViewLayout::Two && !twoRows) ? 2 : 1;
     const int rows = four || twoRows ? 2 : 1;
-    const int width = size.width() / columns;
-    const int height = size.height() / rows;
+    const double width = size.width() / columns;
+    const double height = size.height() / rows;
     std::vector<ViewPane> panes;
     for (int camera = 0; camera < rows * columns; ++camera) {
-        const QRect place((camera % columns) * width, (camera / columns) * height, width, height);
-        const QRectF area(place);
+        const int row = camera / columns, column = camera % columns;
+        const QRectF area(column * width, row * height, width, height);
         if (sideBySide) {
             panes.push_back({QRectF(area.x(), area.y(), 0.5 * width, height), camera, true});
             panes.push_back(
