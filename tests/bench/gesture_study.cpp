@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How well both drags keep their promises, on generated faces and scans:
-//   myoface-gesture-study GESTURES [SCAN...]
+//   myoface-gesture-study GESTURES [--generated N] [SCAN...]
 // Shaping: random gestures in perspective and orthographic views; how many pixels the point is off
 // the cursor in every frame and at rest, what force is left along the ray, how far from the place
 // that a solver finds which goes there in one move, how far 3, 30 and 300 events differ, what is
@@ -10,6 +10,7 @@
 // face gains or loses. Ends with 1 where a promise is broken.
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <random>
 
 #include "myoface/cases/case_file.h"
@@ -353,12 +354,21 @@ void line(const char* what, const std::vector<double>& values, const char* unit)
 int main(int argc, char** argv) {
     using namespace myoface;
     if (argc < 2) {
-        std::fprintf(stderr, "usage: myoface-gesture-study GESTURES [SCAN...]\n");
+        std::fprintf(stderr, "usage: myoface-gesture-study GESTURES [--generated N] [SCAN...]\n");
         return 2;
     }
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     std::vector<Named> subjects;
-    for (int k = 0; k < 3; ++k) {
+    int generated = 3;
+    std::vector<const char*> scans;
+    for (int a = 2; a < argc; ++a) {
+        if (a + 1 < argc && std::strcmp(argv[a], "--generated") == 0) {
+            generated = std::atoi(argv[++a]);
+        } else {
+            scans.push_back(argv[a]);
+        }
+    }
+    for (int k = 0; k < generated; ++k) {
         GenericFaceOptions options;
         options.vertices = 5000 + 1500 * k;
         options.seed = static_cast<unsigned>(k);
@@ -367,10 +377,10 @@ int main(int argc, char** argv) {
         subjects.push_back({"generated " + std::to_string(k),
                             fit_face(std::make_shared<const Scan>(head.scan), head.landmarks)});
     }
-    for (int a = 2; a < argc; ++a) {
-        OpenedFace opened = open_face(argv[a]);
+    for (const char* scan : scans) {
+        OpenedFace opened = open_face(scan);
         find_missing_landmarks(opened);
-        subjects.push_back({argv[a], fit_face(opened.scan, *opened.landmarks)});
+        subjects.push_back({scan, fit_face(opened.scan, *opened.landmarks)});
     }
     bool good = true;
     const int count = std::atoi(argv[1]);

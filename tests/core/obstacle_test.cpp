@@ -63,6 +63,23 @@ TEST(DistanceField, HasNoKinks) {
     }
 }
 
+TEST(DistanceField, ReachesToItsVeryEdges) {
+    const TriangleMesh surface = test::sphere(10.0, 40, 60);
+    const Vec3 edge = surface.vertices.rowwise().maxCoeff().array() + 6.0;  // of its lattice
+    for (const double cell : {0.7, 1.5, 4.0}) {
+        const DistanceField field(surface, cell);
+        for (const double x : {-1.0, 0.0, 1.0}) {
+            for (const double y : {-1.0, 0.0, 1.0}) {
+                for (const double z : {-1.0, 1.0}) {
+                    const Vec3 p = 0.999 * edge.cwiseProduct(Vec3(x, y, z));
+                    EXPECT_NEAR(field.at(p).distance, field.exact(p), 0.06 * cell * cell)
+                        << cell << " " << p.transpose();
+                }
+            }
+        }
+    }
+}
+
 TEST(DistanceField, SaysTheSameWhoeverAsksFirst) {
     const TriangleMesh surface = test::sphere(10.0);
     const DistanceField alone(surface);

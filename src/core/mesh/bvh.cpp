@@ -2,6 +2,7 @@
 #include "myoface/mesh/bvh.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <limits>
 #include <numeric>
@@ -10,6 +11,7 @@ namespace myoface {
 namespace {
 
 constexpr int kLeafSize = 4;
+constexpr int kDeepest = 64;  // halving 2³¹ triangles again and again ends earlier
 
 Eigen::AlignedBox3d triangle_box(const TriangleMesh& mesh, int triangle) {
     Eigen::AlignedBox3d box(mesh.corner(triangle, 0));
@@ -166,10 +168,15 @@ ClosestPoint Bvh::closest_point(const TriangleMesh& mesh, const Vec3& query, dou
     assert(!nodes_.empty());
     ClosestPoint best;
     double best_squared = within * within;
-    std::vector<std::pair<double, int>> stack{{0.0, 0}};
-    while (!stack.empty()) {
-        const auto [bound, index] = stack.back();
-        stack.pop_back();
+    struct Waiting {
+        double bound;
+        int node;
+    };
+    std::array<Waiting, kDeepest> stack;
+    stack[0] = {0.0, 0};
+    std::size_t waiting = 1;
+    while (waiting > 0) {
+        const auto [bound, index] = stack[--waiting];
         if (bound > best_squared) {
             continue;
         }
@@ -193,12 +200,13 @@ ClosestPoint Bvh::closest_point(const TriangleMesh& mesh, const Vec3& query, dou
         }
         const double to_left = nodes_[node.left].box.squaredExteriorDistance(query);
         const double to_right = nodes_[node.left + 1].box.squaredExteriorDistance(query);
-        if (to_left < to_right) {
-            stack.emplace_back(to_right, node.left + 1);
-            stack.emplace_back(to_left, node.left);
-        } else {
-            stack.emplace_back(to_left, node.left);
-            stack.emplace_back(to_right, node.left + 1);
+        const bool left_first = to_left < to_right;
+        const Waiting near{left_first ? to_left : to_right, node.left + (left_first ? 0 : 1)};
+        const Waiting far{left_first ? to_right : to_left, node.left + (left_first ? 1 : 0)};
+        for (const Waiting& next : {far, near}) {
+            if (next.bound <= best_squared) {
+                stack[waiting++] = next;
+            }
         }
     }
     best.distance = std::sqrt(best_squared);

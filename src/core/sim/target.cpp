@@ -18,9 +18,16 @@ constexpr double kOffDegrees = 0.1;
 constexpr double kFarthestWish = 25.0;  // way of a landmark [mm]
 constexpr double kMostStretch = 2.5;    // of the strain at which a region's capacity is used up
 constexpr double kTargetGap = 0.2;      // [mm] between hand and skin: bone holds back
-constexpr double kRough = 5e-5;         // [mm] a step at rest, while the way is still looked for
+constexpr double kStill = 5e-5;         // [mm] a step at rest: the measure is known to 0.01 mm
 constexpr int kMostSettlesEach = 12;    // of one landmark
-constexpr int kHalvings = 4;            // on the way back from a limit
+constexpr double kLeastRise = 0.02;     // of the rise at the start: less is none
+constexpr double kWayThatTells = 0.05;  // [mm]
+constexpr double kStride = 3.0;         // [mm] of the hand in one round
+constexpr double kArrived = 0.02;       // [mm]
+constexpr int kSweepsOfRound = 12;
+constexpr int kMostRounds = 40;
+constexpr int kMostTrials = 4;       // on the way back from a limit
+constexpr double kNearLimit = 0.95;  // of it: near enough
 
 std::string with_unit(double value, bool degrees) {
     char text[40];
@@ -108,45 +115,45 @@ public:
     /// Goes until the measure is met or a limit is. The shape stays; no skin is folded by it.
     void go(double wanted, double tolerance, TargetReport& report) {
         simulator_.begin_drag(drag_, ray_at(0.0));
-        double at = 0.0;
-        double rise = steepness_;
-        double reached = report.reached;
         limit_.clear();
-        bool rough = true;
+        double holds = 0.0;  // a way that keeps within the limits, what it reaches and uses up
+        double reached = report.reached;
+        double share = 0.0;
+        double rise = steepness_;
+        double next = follow(wanted, reached, report);
         for (int k = 0; k < kMostSettlesEach; ++k) {
-            if (std::abs(reached - wanted) <= tolerance) {
-                if (!rough) {
-                    break;
-                }
-                rough = false;  // looked at closely
-                reached = value_at(at, rough, report);
-                continue;
-            }
-            const double next = at + (wanted - reached) / rise;
             if (!(std::abs(next) < kFarthestWish)) {
                 limit_ = refuse(landmark_ + " would have to go more than 25 mm.");
                 break;
             }
-            const double there = value_at(next, rough, report);
+            const double there = value_at(next, report);
             limit_ = limit_met();
             if (!limit_.empty()) {
-                reached = back_to_what_holds(at, next, reached, report);
+                reached = back_to_what_holds(holds, share, next, reached, report);
                 break;
             }
-            const double steeper = (there - reached) / (next - at);
-            at = next;
+            const double way = next - holds;
+            const double steeper = (there - reached) / way;
+            holds = next;
             reached = there;
-            if (!(std::abs(steeper) > 0.02 * steepness_)) {
-                limit_ = refuse("moving " + landmark_ + " further changes nothing.");
+            share = limit_share();
+            if (std::abs(reached - wanted) <= tolerance) {
                 break;
             }
-            rise = steeper;
+            // Between places close together the rise is rounding.
+            if (std::abs(way) > kWayThatTells) {
+                if (!(std::abs(steeper) > kLeastRise * steepness_)) {
+                    limit_ = refuse("moving " + landmark_ + " further changes nothing.");
+                    break;
+                }
+                rise = steeper;
+            }
+            next = holds + (wanted - reached) / rise;
         }
         if (limit_.empty() && std::abs(reached - wanted) > tolerance) {
             limit_ = refuse("it is not met after 12 tries.");
         }
-        at_ = std::abs(limit_.empty() ? at : at_);
-        report.moved_mm = std::max(report.moved_mm, at_);
+        report.moved_mm = std::max(report.moved_mm, std::abs(at_));
         if (simulator_.end_drag(true).kept_share < 1.0) {
             limit_ = refuse("the skin would fold over itself.");
         }
@@ -162,38 +169,78 @@ private:
         return {start_ + distance * way_ - 300.0 * view_, view_};
     }
 
-    double value_at(double distance, bool rough, TargetReport& report) {
-        simulator_.move_drag(ray_at(distance));
-        step_ = simulator_.settle(rough ? kRough : RelaxOptions{}.still_mm, false);
-        ++report.settles;
-        report.force_mN = step_.drag->force_mN;
-        at_ = distance;
+    double measured_now(const TargetReport& report) const {
         return places_.measure(request_.measure, simulator_.state().positions)
             .value_or(report.before);
     }
 
-    std::string limit_met() const {
-        if (step_.drag->off_ray_mm > kTargetGap) {
-            return refuse("the bone holds back.");
-        }
-        return step_.drag->strain_share > kMostStretch
-                   ? refuse("the skin there is stretched to its limit.")
-                   : std::string();
-    }
-
-    /// Between a place that holds and one beyond a limit: the furthest that holds.
-    double back_to_what_holds(double holds, double beyond, double reached, TargetReport& report) {
-        for (int k = 0; k < kHalvings; ++k) {
-            const double middle = 0.5 * (holds + beyond);
-            const double there = value_at(middle, true, report);
-            if (limit_met().empty()) {
-                holds = middle;
-                reached = there;
-            } else {
-                beyond = middle;
+    /// The hand goes on while tissue still settles: a quick way to near the goal. How far the
+    /// measure has come on the way so far tells where the hand is to be. @return that way [mm]
+    double follow(double wanted, double start, const TargetReport& report) {
+        double at = 0.0;
+        double next = std::clamp((wanted - start) / steepness_, -kStride, kStride);
+        for (int k = 0; k < kMostRounds && std::abs(next) < kFarthestWish; ++k) {
+            const double went = next - at;
+            at = next;
+            simulator_.move_drag(ray_at(at));
+            step_ = simulator_.step(kSweepsOfRound);
+            if (!limit_met().empty()) {
+                return at;
+            }
+            const double rise = (measured_now(report) - start) / at;
+            if (!(rise / steepness_ > kLeastRise)) {
+                continue;  // the measure has not noticed yet
+            }
+            next = at + std::clamp((wanted - start) / rise - at, -kStride, kStride);
+            if (std::abs(went) < kArrived && std::abs(next - at) < kArrived) {
+                break;
             }
         }
-        return at_ == holds ? reached : value_at(holds, false, report);
+        return next;
+    }
+
+    double value_at(double distance, TargetReport& report) {
+        simulator_.move_drag(ray_at(distance));
+        step_ = simulator_.settle(kStill, false);
+        ++report.settles;
+        report.force_mN = step_.drag->force_mN;
+        at_ = distance;
+        return measured_now(report);
+    }
+
+    /// How far what a limit is set to is used up: 1 at the limit.
+    double gap_share() const { return step_.drag->off_ray_mm / kTargetGap; }
+    double stretch_share() const { return step_.drag->strain_share / kMostStretch; }
+    double limit_share() const { return std::max(gap_share(), stretch_share()); }
+
+    std::string limit_met() const {
+        if (gap_share() > 1.0) {
+            return refuse("the bone holds back.");
+        }
+        return stretch_share() > 1.0 ? refuse("the skin there is stretched to its limit.")
+                                     : std::string();
+    }
+
+    /// Between a place that holds and one beyond a limit: the furthest that holds, nearly. What
+    /// the limit is set to grows almost evenly.
+    /// @param share what is used up where it holds @return what is reached there
+    double back_to_what_holds(double holds, double share, double beyond, double reached,
+                              TargetReport& report) {
+        double above = limit_share();
+        for (int k = 0; k < kMostTrials && share < kNearLimit; ++k) {
+            const double aim = (0.5 * (1.0 + kNearLimit) - share) / (above - share);
+            const double trial = holds + std::clamp(aim, 0.1, 0.9) * (beyond - holds);
+            const double there = value_at(trial, report);
+            if (limit_share() <= 1.0) {
+                holds = trial;
+                share = limit_share();
+                reached = there;
+            } else {
+                beyond = trial;
+                above = limit_share();
+            }
+        }
+        return at_ == holds ? reached : value_at(holds, report);
     }
 
     Simulator& simulator_;
