@@ -17,6 +17,7 @@ uniform sampler2D picture;
 uniform float opacity;
 uniform bool isCut;
 uniform float gloss;
+uniform float lit;      // share of all light that gets there
 uniform float softness;
 uniform bool clinical;
 uniform float detail;   // colour of skin that has no picture of its own: 0 none … 1
@@ -152,6 +153,7 @@ void main() {
                 0.30 * highlight(n, toEye, rim, 10.0) * arriving(rim).g;
     }
     colour += gloss * 2.2 * shine * hollow * oil;
+    colour *= lit;
     if (inside) {
         colour *= vec3(0.22, 0.14, 0.13);
     }

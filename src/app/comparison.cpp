@@ -407,6 +407,7 @@ void Comparison::beforeDrawn() {
         still->skin.rest.resize(3, 0);
         still->skin.plain_colour = kGhost;
         still->mouth.opacity = 0.0F;
+        still->eyes.opacity = 0.0F;
         ++still->topology;
     }
     m_view.setCompare(m_mode, std::move(still), beforeTitle());

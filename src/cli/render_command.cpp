@@ -116,12 +116,19 @@ void render(const RenderArguments& a) {
     Camera camera;
     camera.orientation = standard_view(a.view);
     OpenedFace opened = a.face.open();
-    const bool inner = layers.muscles > 0.0F || layers.bone > 0.0F || layers.springs > 0.0F;
+    const bool needs_face = layers.muscles > 0.0F || layers.bone > 0.0F || layers.springs > 0.0F ||
+                            !plan.edits.empty() || !opened.state.rates.empty() ||
+                            opened.state.shape.cols() > 0;
     std::unique_ptr<Simulator> simulator;
-    if (inner || !plan.edits.empty() || !opened.state.rates.empty() ||
-        opened.state.shape.cols() > 0) {
+    try {
         find_missing_landmarks(opened);
         simulator = make_simulator(opened);
+    } catch (const InvalidInput&) {
+        if (needs_face) {
+            throw;
+        }
+    }  // what is no face is drawn as it came
+    if (simulator) {
         run_plan(*simulator, plan_on(simulator->face(), plan));
     }
     const std::shared_ptr<const Scan> drawn = simulator ? simulator->face().scan : opened.scan;

@@ -189,8 +189,8 @@ void Renderer::upload(Lines& lines, const LineLayer& layer) {
 
 void Renderer::draw(const SceneData& scene, const Camera& camera, const Pane& pane,
                     float pixel_ratio) {
-    constexpr std::size_t kSkin = 3;
-    const std::array<const SurfaceLayer*, kSkin + 1> layers{&scene.bone, &scene.mouth,
+    constexpr std::size_t kSkin = 4;
+    const std::array<const SurfaceLayer*, kSkin + 1> layers{&scene.bone, &scene.mouth, &scene.eyes,
                                                             &scene.muscles, &scene.skin};
     for (std::size_t i = 0; i < layers.size(); ++i) {
         if (scene.topology != topology_) {
@@ -296,6 +296,7 @@ void Renderer::draw_surface(const Surface& surface, const SurfaceLayer& layer, b
     set(skin_program_, "plainColour", layer.plain_colour);
     set(skin_program_, "opacity", layer.opacity);
     set(skin_program_, "gloss", layer.gloss);
+    set(skin_program_, "lit", layer.lit);
     set(skin_program_, "softness", layer.softness);
     set(skin_program_, "hasColours", surface.has_colours && (style.textured || !is_skin));
     set(skin_program_, "hasTexture", surface.texture != 0 && (style.textured || !is_skin));

@@ -57,7 +57,7 @@ private:
     unsigned skin_program_ = 0, line_program_ = 0, background_program_ = 0, marker_program_ = 0;
     unsigned empty_array_ = 0;
     unsigned marker_array_ = 0, marker_buffer_ = 0;
-    std::array<Surface, 4> surfaces_;  ///< bone, mouth, muscles, skin
+    std::array<Surface, 5> surfaces_;  ///< bone, mouth, eyes, muscles, skin
     std::array<Lines, 3> lines_;
     std::uint64_t net_version_ = 0;
     std::uint64_t tint_version_ = 0;

@@ -87,6 +87,12 @@ struct MouthLining {
     Eigen::VectorXd depth;     ///< per vertex: 0 at the lips … 1 at the throat
 };
 
+/// What a scanner did not see between open lids.
+struct Eyeballs {
+    TriangleMesh mesh;         ///< nothing where the scan has its own
+    Eigen::Matrix3Xf colours;  ///< per vertex, sRGB 0 … 1
+};
+
 /// Everything about one face that does not change while it is simulated: anatomy on the scan.
 struct FaceModel {
     /// The scan as it came, or with its lips parted: then the file's vertices first and in order.
@@ -112,6 +118,7 @@ struct FaceModel {
     std::vector<Obstacle> obstacles;    ///< what skin cannot enter
     Eigen::VectorXd obstacle_distance;  ///< per skin node: of the nearest one, at rest [mm]
     MouthLining mouth;
+    Eyeballs eyeballs;
     std::vector<std::pair<int, int>> lip_contacts;  ///< upper and lower node that touch
     /// Per skin node: 1 upper lip, -1 lower lip, 0 elsewhere, or everywhere where lips are fused.
     std::vector<signed char> lip_side;

@@ -62,6 +62,8 @@ private:
     void shade_wrinkles(const Wrinkles& wrinkles);
     void show_bone();
     void make_mouth();
+    void make_eyes();
+    void show_visibility();
     void show_mouth(const TriangleMesh& bone);
     void show_muscles(const Points& nodes);
     void show_springs(const Points& nodes);
@@ -73,7 +75,8 @@ private:
     std::vector<MuscleChain> chains_;
     SkinDrawing drawing_;
     std::unique_ptr<FollowingScan> following_;
-    FloatPoints rest_normals_;  ///< 3×vertices of the scan
+    FloatPoints rest_normals_;     ///< 3×vertices of the scan
+    Eigen::Matrix4Xf visibility_;  ///< per vertex of the scan, as it was given
     Points last_nodes_;
     Points turned_;            ///< 3×vertices: loose parts where the mandible has them
     std::vector<char> turns_;  ///< per vertex: such a part

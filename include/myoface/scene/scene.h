@@ -28,6 +28,7 @@ struct SurfaceLayer {
     Eigen::Vector3f plain_colour{0.80F, 0.62F, 0.53F};
     std::vector<std::uint32_t> indices;
     float opacity = 1.0F;   ///< 0 hides the layer
+    float lit = 1.0F;       ///< share of all light that gets there
     float gloss = 0.35F;    ///< strength of the highlight
     float softness = 1.0F;  ///< light under the skin: 1 skin, 0 plaster
 };
@@ -59,6 +60,7 @@ struct ViewStyle {
 struct SceneData {
     SurfaceLayer skin, muscles, bone;
     SurfaceLayer mouth;  ///< teeth and lining of a scan that has none
+    SurfaceLayer eyes;   ///< the same for eyeballs
     LineLayer springs;
     LineLayer strokes;  ///< drawn over everything: drag arrows, grip ring
     LineLayer net;      ///< close to the skin and drawn before it; uploaded with `net_version`

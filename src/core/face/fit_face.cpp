@@ -14,6 +14,7 @@
 #include "myoface/mesh/normals.h"
 
 #include "bone_placement.h"
+#include "eyeballs.h"
 #include "head/skull.h"
 #include "head_warps.h"
 #include "landmark_pose.h"
@@ -270,6 +271,7 @@ std::shared_ptr<const FaceModel> fit_face(std::shared_ptr<const Scan> scan, cons
     if (!face->lip_contacts.empty() && !has_mouth_bag(face->scan->mesh, onto_scan)) {
         face->mouth = mouth_lining(onto_scan);
     }
+    face->eyeballs = eyeballs_for(*face);
     face->midplane = find_midplane(*face, Bvh(mesh));
     report("Fitting the face", 1.0);
     return face;

@@ -7,10 +7,17 @@
 #include "myoface/base/parallel.h"
 #include "myoface/mesh/normals.h"
 #include "myoface/scene/colour_map.h"
+#include "myoface/scene/mouth_light.h"
 #include "myoface/scene/muscle_drawing.h"
 #include "myoface/scene/visibility.h"
 
 namespace myoface {
+namespace {
+
+const Eigen::Vector3f kTooth(0.93F, 0.91F, 0.86F);
+constexpr double kAtIncisors = 1.6;  // they are lit in full, a little behind the lips
+
+}  // namespace
 
 FaceScene::FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const SkinTexture> texture)
     : scan_(std::move(scan)), texture_(std::move(texture)), drawing_(*scan_) {
@@ -25,7 +32,9 @@ FaceScene::FaceScene(std::shared_ptr<const Scan> scan, std::shared_ptr<const Ski
     scene_.bone.softness = 0.15F;
     scene_.bone.gloss = 0.12F;
     scene_.mouth.softness = 0.3F;
-    scene_.mouth.gloss = 0.25F;
+    scene_.mouth.gloss = 0.12F;
+    scene_.eyes.softness = 0.2F;
+    scene_.eyes.gloss = 0.6F;
     scene_.muscles.softness = 0.5F;
     scene_.muscles.gloss = 0.6F;
     set_layers({});
@@ -56,12 +65,30 @@ void FaceScene::set_face(std::shared_ptr<const FaceModel> face, const std::vecto
         const BonePart part = face_->bone_part[static_cast<std::size_t>(v)];
         layer.colours.col(v) = part == BonePart::Cranium    ? Eigen::Vector3f(0.87F, 0.83F, 0.73F)
                                : part == BonePart::Mandible ? Eigen::Vector3f(0.83F, 0.77F, 0.64F)
-                                                            : Eigen::Vector3f(0.93F, 0.91F, 0.86F);
+                                                            : kTooth;
     }
     bone_adjacency_ = std::make_unique<Adjacency>(bone);
     make_mouth();
+    make_eyes();
     show_bone();
+    show_visibility();
     ++scene_.topology;
+}
+
+void FaceScene::make_eyes() {
+    SurfaceLayer& layer = scene_.eyes;
+    const Eyeballs& eyes = face_->eyeballs;
+    layer.positions = eyes.mesh.vertices.cast<float>();
+    layer.colours = eyes.colours;
+    layer.indices.clear();
+    for (int t = 0; t < eyes.mesh.triangle_count(); ++t) {
+        for (const int v : eyes.mesh.triangles.col(t)) {
+            layer.indices.push_back(static_cast<std::uint32_t>(v));
+        }
+    }
+    if (!layer.indices.empty()) {
+        layer.normals = vertex_normals(eyes.mesh, Adjacency(eyes.mesh)).cast<float>();
+    }
 }
 
 /// Teeth of the bone, then the lining.
@@ -101,7 +128,11 @@ void FaceScene::make_mouth() {
         add(lining.mesh.triangles.col(t).array() + teeth);
     }
     layer.colours.resize(3, teeth + lining.mesh.vertex_count());
-    layer.colours.leftCols(teeth).colwise() = Eigen::Vector3f(0.93F, 0.91F, 0.86F);
+    for (int k = 0; k < teeth; ++k) {
+        const Vec3 place = face_->bone.vertices.col(teeth_[static_cast<std::size_t>(k)]);
+        const double light = std::min(1.0, kAtIncisors * light_behind_lips(*face_, place));
+        layer.colours.col(k) = static_cast<float>(std::pow(light, 1.0 / 2.2)) * kTooth;
+    }
     for (int v = 0; v < lining.mesh.vertex_count(); ++v) {
         const auto light = static_cast<float>(std::exp(-2.2 * lining.depth[v]));
         layer.colours.col(teeth + v) = light * Eigen::Vector3f(0.62F, 0.27F, 0.25F);
@@ -143,6 +174,7 @@ void FaceScene::show_bone() {
 
 void FaceScene::show(const SimSnapshot& snapshot) {
     last_nodes_ = snapshot.positions;
+    scene_.mouth.lit = static_cast<float>(light_between_lips(*face_, snapshot.positions));
     show_skin(snapshot);
     if (!(snapshot.jaw == jaw_)) {
         jaw_ = snapshot.jaw;
@@ -319,6 +351,7 @@ void FaceScene::set_layers(const LayerOpacity& layers) {
     scene_.muscles.opacity = face_ ? layers.muscles : 0.0F;
     scene_.bone.opacity = face_ ? layers.bone : 0.0F;
     scene_.mouth.opacity = face_ && layers.skin > 0.0F ? 1.0F : 0.0F;
+    scene_.eyes.opacity = scene_.mouth.opacity;
     scene_.springs.opacity = face_ ? layers.springs : 0.0F;
     if (face_ && last_nodes_.cols() > 0) {
         if (layers.muscles > 0.0F) {
@@ -346,10 +379,23 @@ void FaceScene::tint(const Eigen::Matrix4Xf& of_vertices) {
 }
 
 void FaceScene::set_visibility(const Eigen::Matrix4Xf& of_vertices) {
+    visibility_ = of_vertices;
+    show_visibility();
+}
+
+void FaceScene::show_visibility() {
     Eigen::Matrix4Xf& drawn = scene_.skin.visibility;
-    drawn.resize(4, of_vertices.cols() == 0 ? 0 : drawing_.drawn_count());
-    for (int i = 0; i < static_cast<int>(drawn.cols()); ++i) {
-        drawn.col(i) = of_vertices.col(drawing_.scan_vertex(i));
+    if (visibility_.cols() == 0) {
+        drawn.resize(4, 0);
+    } else {
+        Eigen::Matrix4Xf lit = visibility_;
+        if (face_) {
+            light_the_mouth(*face_, lit);
+        }
+        drawn.resize(4, drawing_.drawn_count());
+        for (int i = 0; i < drawing_.drawn_count(); ++i) {
+            drawn.col(i) = lit.col(drawing_.scan_vertex(i));
+        }
     }
     ++scene_.shade_version;
 }

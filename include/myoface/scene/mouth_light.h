@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "myoface/face/face_model.h"
+
+namespace myoface {
+
+/// How much light comes through open lips to a place [mm] behind them: 1 at the lips, and less the
+/// further back it lies. A smooth guess for pictures, not a computed shadow.
+double light_behind_lips(const FaceModel& face, const Vec3& p);
+
+/// How much of that light the gap between the lips lets in: 0 shut … 1 from some millimetres on.
+/// @param nodes 3×nodes [mm]
+double light_between_lips(const FaceModel& face, const Points& nodes);
+
+/// Soft shadows are computed at rest, where the lips are closed and the mouth behind them is black.
+/// Gives what a scan has of teeth, gums and lining the light that open lips would let in.
+/// @param of_vertices of light_visibility() of the face's scan
+void light_the_mouth(const FaceModel& face, Eigen::Matrix4Xf& of_vertices);
+
+}  // namespace myoface
