@@ -4,7 +4,7 @@
 # Without a scan only those of the built-in face are made.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-bin=build/release/bin
+bin=build/${MYOFACE_PRESET:-release}/bin
 out=docs/user/pictures
 export QT_FONT_DPI=96 MYOFACE_NO_MULTISAMPLING=
 size=640x720

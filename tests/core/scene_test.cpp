@@ -6,6 +6,7 @@
 #include "myoface/scene/camera.h"
 #include "myoface/scene/colour_map.h"
 #include "myoface/scene/face_scene.h"
+#include "myoface/scene/mouth_light.h"
 #include "myoface/scene/muscle_drawing.h"
 #include "myoface/sim/simulator.h"
 
@@ -132,6 +133,82 @@ TEST(FaceScene, ShowsTeethBehindLipsThatCameClosed) {
     snapshot.jaw = 1.0;
     scene.show(snapshot);
     EXPECT_LT(mouth.positions.col(mouth.positions.cols() - 1).y(), closed.y());
+}
+
+TEST(FaceScene, ShowsEyeballsWhereSocketsAreEmpty) {
+    const FaceModel& own = *test::small_model();
+    EXPECT_EQ(own.eyeballs.mesh.triangle_count(), 0);  // it has some
+    // The left one is taken out of the scan, the right one stays.
+    const GenericFace& small = test::small_face();
+    auto scan = std::make_shared<Scan>(small.scan);
+    const Vec3 eye = own.eyes.col(0);
+    for (int t = 0; t < scan->mesh.triangle_count(); ++t) {
+        for (int c = 0; c < 3; ++c) {
+            auto place = scan->mesh.vertices.col(scan->mesh.triangles(c, t));
+            if (scan->triangle_part[static_cast<std::size_t>(t)] != 0 &&
+                (place - eye).norm() < 15.0) {
+                place.z() = -100.0;
+            }
+        }
+    }
+    const auto face = fit_face(scan, small.landmarks);
+    const Points& ball = face->eyeballs.mesh.vertices;
+    ASSERT_GT(face->eyeballs.mesh.triangle_count(), 100);
+    ASSERT_EQ(face->eyeballs.colours.cols(), ball.cols());
+    const Vec3 low = ball.rowwise().minCoeff();
+    const Vec3 high = ball.rowwise().maxCoeff();
+    EXPECT_NEAR(0.5 * (high - low).x(), 12.0, 1.0);
+    EXPECT_LT((0.5 * (low + high) - eye).norm(), 4.0);  // the left one only
+    // Dark in front, where the pupil is, and white beside it.
+    Eigen::Index front = 0;
+    Eigen::Index out = 0;
+    ball.row(2).maxCoeff(&front);
+    ball.row(0).maxCoeff(&out);
+    EXPECT_LT(face->eyeballs.colours.col(front).maxCoeff(), 0.2F);
+    EXPECT_GT(face->eyeballs.colours.col(out).minCoeff(), 0.4F);
+    FaceScene scene(face->scan, nullptr);
+    scene.set_face(face, {}, {});
+    EXPECT_EQ(scene.scene().eyes.indices.size(),
+              3 * static_cast<std::size_t>(face->eyeballs.mesh.triangle_count()));
+}
+
+TEST(MouthLight, FallsBehindTheLipsAndComesWithTheGap) {
+    const FaceModel& face = *test::small_model();
+    const Vec3 lips = from_generic(face, {0.0, -52.0, 97.0});
+    const Vec3 front = face.axes.col(2);
+    double last = light_behind_lips(face, lips + 5.0 * front);
+    EXPECT_NEAR(last, 1.0, 1e-9);
+    for (const double behind : {5.0, 15.0, 30.0, 50.0}) {
+        const double light = light_behind_lips(face, lips - behind * front);
+        EXPECT_LT(light, last);
+        EXPECT_GT(light, 0.0);
+        last = light;
+    }
+    Points nodes = face.skin.mesh.vertices;
+    const double shut = light_between_lips(face, nodes);
+    for (const auto& [upper, lower] : face.lip_contacts) {
+        nodes.col(lower).y() -= 8.0;
+    }
+    EXPECT_LT(shut, 0.5);
+    EXPECT_NEAR(light_between_lips(face, nodes), 1.0, 1e-9);
+}
+
+TEST(MouthLight, ReachesTheMouthAndNothingElse) {
+    const FaceModel& face = *test::small_model();
+    const Points& vertices = face.scan->mesh.vertices;
+    Eigen::Matrix4Xf dark = Eigen::Matrix4Xf::Zero(4, vertices.cols());
+    light_the_mouth(face, dark);
+    int lit = 0;
+    for (Eigen::Index v = 0; v < vertices.cols(); ++v) {
+        if (dark(3, v) > 0.0F) {
+            ++lit;
+            EXPECT_LT((vertices.col(v) - from_generic(face, {0.0, -52.0, 70.0})).norm(), 65.0);
+        }
+    }
+    EXPECT_GT(lit, 50);
+    Eigen::Matrix4Xf open = Eigen::Matrix4Xf::Ones(4, vertices.cols());
+    light_the_mouth(face, open);
+    EXPECT_EQ(open, Eigen::Matrix4Xf::Ones(4, vertices.cols()));
 }
 
 TEST(FaceScene, CutsTheSkinAwayFromTheLeft) {
