@@ -100,8 +100,8 @@ Eyeballs eyeballs_for(const FaceModel& face) {
         result.colours.conservativeResize(3, before + n);
         for (Eigen::Index v = 0; v < n; ++v) {
             const Vec3 way = ball.vertices.col(v).normalized();
-            const Vec3 colour = head_colour(HeadPart::Eye, generic_eye_centre() + own * way,
-                                            HeadLook{}, true);
+            const Vec3 colour =
+                head_colour(HeadPart::Eye, generic_eye_centre() + own * way, HeadLook{}, true);
             result.mesh.vertices.col(before + v) = centre + kUnderLids * radius * (face.axes * way);
             result.colours.col(before + v) = light_between_lids(way) * colour.cast<float>();
         }
