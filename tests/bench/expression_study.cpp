@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Expressions on many faces, and muscles at random:
-//   myoface-expression-study [--people N] [--draws N] [--first N] [SCAN...]
+//   myoface-expression-study [--people N] [--draws N] [--first N] [--vertices N] [SCAN...]
 // Every muscle and every preset at full contraction on N generated individuals and on the scans:
 // travel of the mouth corners, lids, lips, folds, what one side does on the other. Then N draws in
 // which every muscle has a random contraction, on three of the faces. Ends with 1 if anything is
@@ -162,9 +162,9 @@ void draw(Simulator& simulator, const Subject& subject, unsigned seed, Findings&
     }
 }
 
-Subject person(int number) {
+Subject person(int number, int vertices) {
     GenericFaceOptions options;
-    options.vertices = 4500;
+    options.vertices = vertices;
     options.seed = static_cast<unsigned>(number);
     options.sex = number % 2 == 0 ? Sex::Female : Sex::Male;
     options.age = 20.0 + 5.0 * (number % 11);
@@ -181,6 +181,7 @@ int main(int argc, char** argv) {
     int people = 50;
     int draws = 10000;
     int first = 0;
+    int vertices = 4500;  // of a generated head
     std::vector<std::string> scans;
     for (int a = 1; a < argc; ++a) {
         if (a + 1 < argc && std::strcmp(argv[a], "--people") == 0) {
@@ -189,6 +190,8 @@ int main(int argc, char** argv) {
             draws = std::atoi(argv[++a]);
         } else if (a + 1 < argc && std::strcmp(argv[a], "--first") == 0) {
             first = std::atoi(argv[++a]);
+        } else if (a + 1 < argc && std::strcmp(argv[a], "--vertices") == 0) {
+            vertices = std::atoi(argv[++a]);
         } else {
             scans.emplace_back(argv[a]);
         }
@@ -202,14 +205,14 @@ int main(int argc, char** argv) {
         study(subjects.back(), found);
     }
     for (int k = first; k < first + people; ++k) {
-        const Subject subject = person(k);
+        const Subject subject = person(k, vertices);
         study(subject, found);
         if (subjects.size() < 3) {
             subjects.push_back(subject);
         }
     }
     while (subjects.size() < 3) {
-        subjects.push_back(person(static_cast<int>(subjects.size())));
+        subjects.push_back(person(static_cast<int>(subjects.size()), vertices));
     }
     subjects.resize(3);
     std::vector<std::unique_ptr<Simulator>> simulators;

@@ -71,6 +71,7 @@ struct LidPlace {
     double upper = 0.0, lower = 0.0;  ///< y of the margins [mm]
     double around = 0.0;              ///< 0 … 1: next to the lids, beyond where they move
     double with_upper = 0.0, with_lower = 0.0;  ///< 0 … 1
+    double from_corner = 0.0;  ///< across, from the nearer corner of the eye [mm]; 0 beyond
 };
 LidPlace lid_place(const Vec3& p);
 /// Centre of the average head's eyeball, left.

@@ -155,6 +155,7 @@ LidPlace lid_place(const Vec3& p) {
     LidPlace place;
     place.upper = head.upper_lid(x);
     place.lower = head.lower_lid(x);
+    place.from_corner = std::min(x - HeadField::kInnerCanthus, HeadField::kOuterCanthus - x);
     const double beside = std::abs(p.x()) - x;  // beyond the corners
     const double fade = smooth_step(6.0, 0.0, std::abs(beside)) * smooth_step(55.0, 66.0, p.z());
     const double middle = 0.5 * (place.upper + place.lower);

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kZoneHold = 5.0;     // hold on the target, in usual tethers
 constexpr double kLipSoftness = 1.5;  // of the border between the lips' zones [mm]
-constexpr double kLidHold = 25.0;     // of lids, which lie on the eyeball and unroll
+constexpr double kLidHold = 100.0;    // of lids, which lie on the eyeball and unroll
+constexpr double kHeldBack = 0.45;    // of a lid's way beside its corners
 constexpr double kMeeting = 0.12;     // where the lids meet, from the lower one's margin
 constexpr double kToNose = 1.5;       // way of closing lids towards the nose [mm]
 constexpr double kBeside = 0.6;       // where halves of a mouth's ring push forward, of its width
@@ -164,7 +165,9 @@ Demand slide_lid(const FaceModel& face, int node, const MuscleTraits& traits) {
     const double meeting = lid.lower + kMeeting * fissure;
     double rise = 0.0;
     if (close) {
-        rise = upper * (meeting - lid.upper) + lower * (meeting - lid.lower);
+        // Beside its corners, where ligaments hold it back, a lid is pulled further than it gets.
+        const double more = 1.0 + kHeldBack * smooth_step(5.5, 1.5, lid.from_corner);
+        rise = more * upper * (meeting - lid.upper) + lower * (meeting - lid.lower);
     } else {
         rise = 0.22 * upper * fissure;
     }
