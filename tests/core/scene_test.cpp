@@ -176,10 +176,10 @@ TEST(MouthLight, FallsBehindTheLipsAndComesWithTheGap) {
     const FaceModel& face = *test::small_model();
     const Vec3 lips = from_generic(face, {0.0, -52.0, 97.0});
     const Vec3 front = face.axes.col(2);
-    double last = light_behind_lips(face, lips + 5.0 * front);
+    double last = light_behind_lips(face, lips + 5.0 * front)[0];
     EXPECT_NEAR(last, 1.0, 1e-9);
     for (const double behind : {5.0, 15.0, 30.0, 50.0}) {
-        const double light = light_behind_lips(face, lips - behind * front);
+        const double light = light_behind_lips(face, lips - behind * front)[0];
         EXPECT_LT(light, last);
         EXPECT_GT(light, 0.0);
         last = light;

@@ -7,9 +7,10 @@
 
 namespace myoface {
 
-/// How much light comes through open lips to a place [mm] behind them: 1 at the lips, and less the
-/// further back it lies. A smooth guess for pictures, not a computed shadow.
-double light_behind_lips(const FaceModel& face, const Vec3& p);
+/// How much light comes through open lips to places behind them: 1 at the lips, and less the
+/// further back they lie. A smooth guess for pictures, not a computed shadow. @param places 3×N
+/// [mm]
+Eigen::VectorXd light_behind_lips(const FaceModel& face, const Points& places);
 
 /// How much of that light the gap between the lips lets in: 0 shut … 1 from some millimetres on.
 /// @param nodes 3×nodes [mm]

@@ -128,9 +128,9 @@ void FaceScene::make_mouth() {
         add(lining.mesh.triangles.col(t).array() + teeth);
     }
     layer.colours.resize(3, teeth + lining.mesh.vertex_count());
+    const Eigen::VectorXd lit = light_behind_lips(*face_, face_->bone.vertices(Eigen::all, teeth_));
     for (int k = 0; k < teeth; ++k) {
-        const Vec3 place = face_->bone.vertices.col(teeth_[static_cast<std::size_t>(k)]);
-        const double light = std::min(1.0, kAtIncisors * light_behind_lips(*face_, place));
+        const double light = std::min(1.0, kAtIncisors * lit[k]);
         layer.colours.col(k) = static_cast<float>(std::pow(light, 1.0 / 2.2)) * kTooth;
     }
     for (int v = 0; v < lining.mesh.vertex_count(); ++v) {

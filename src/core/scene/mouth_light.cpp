@@ -34,8 +34,13 @@ double light_at_depth(double behind) {
 
 }  // namespace
 
-double light_behind_lips(const FaceModel& face, const Vec3& p) {
-    return light_at_depth(MouthSpace(face).at(p).z());
+Eigen::VectorXd light_behind_lips(const FaceModel& face, const Points& places) {
+    const MouthSpace mouth(face);
+    Eigen::VectorXd light(places.cols());
+    for (Eigen::Index k = 0; k < places.cols(); ++k) {
+        light[k] = light_at_depth(mouth.at(places.col(k)).z());
+    }
+    return light;
 }
 
 double light_between_lips(const FaceModel& face, const Points& nodes) {

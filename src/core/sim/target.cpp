@@ -124,6 +124,7 @@ public:
         for (int k = 0; k < kMostSettlesEach; ++k) {
             if (!(std::abs(next) < kFarthestWish)) {
                 limit_ = refuse(landmark_ + " would have to go more than 25 mm.");
+                reached = value_at(holds, report);  // back from where the hand looked for it
                 break;
             }
             const double there = value_at(next, report);
